@@ -20,6 +20,7 @@ from hugoniot.laws.viscosity import contract as viscosity_contract
 from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.zones import closure, mixture
 from hugoniot.zones.constants import Constants
+from hugoniot.zones.fracture import grows_voids
 
 
 def keeps_time(eos) -> bool:
@@ -67,11 +68,6 @@ class Laws(NamedTuple):
         return "fluid" not in STRENGTH.of(self.strength).flags
 
     @property
-    def needs_rate(self) -> bool:
-        """Whether its strength asks for a strain rate."""
-        return "needs_rate" in STRENGTH.of(self.strength).flags
-
-    @property
     def needs_temperature(self) -> bool:
         """Whether its strength asks for a temperature."""
         return "needs_temperature" in STRENGTH.of(self.strength).flags
@@ -89,7 +85,7 @@ class Laws(NamedTuple):
     @property
     def grows_voids(self) -> bool:
         """Whether voids grow in it at the tension its fracture law caps."""
-        return "voids" in FRACTURE.of(self.fracture).flags
+        return grows_voids(self.fracture)
 
 
 def laws_of(eos, strength, fracture, viscosity, noise: float, per_rate: float = 0.0, front: float = 0.0, freezes: float = 0.0) -> Laws:

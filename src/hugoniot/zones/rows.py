@@ -7,15 +7,8 @@ STRETCH = 32      # zones
 
 
 @zone_pass("row")
-def clear_pass(count, z, dt, numbers, law):
-    """Zeros."""
-    for j in range(count):
-        z.row[j] = 0.0
-
-
-@zone_pass("row")
-def rest_pass(count, z, dt, numbers, law):
-    """The first number of a row in every zone: the density at rest of the material."""
+def fill_pass(count, z, dt, numbers, law):
+    """The pass's first number in every zone."""
     rows_apart()
     for j in range(count):
         z.row[j] = numbers[0]

@@ -1,10 +1,10 @@
 """What the material of zones does in a step, in the order in which it happens, written into a list of passes.
 
-A solver lends its rows under the names used here (`Rows`); which passes a material takes is decided here, once, by its laws. Nothing
-here knows a dimension: strains, the elastic trial and the return to the yield surface are the solver's.
+A solver lends its rows under the names used here; which passes a material takes is decided here, once, by its laws. Nothing here knows
+a dimension: strains, the elastic trial and the return to the yield surface are the solver's.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -13,30 +13,19 @@ from hugoniot.core.passes import numbers_of
 from hugoniot.zones import burn, closure, fracture, mixture, rows, soundness, strength, viscosity
 from hugoniot.zones.laws import Laws
 
-
-class Rows(NamedTuple):
-    """Rows of the zones of a material, each a NamedTuple of `Place`, and what they share.
-
-    z        fields of zones
-    b        further fields of burning zones
-    w        scratch
-    found    what passes find (`soundness`)
-    whole    the time step
-    half     half of it
-    """
-
-    z: Any
-    b: Any
-    w: Any
-    found: Place
-    whole: Place
-    half: Place
+NOTHING = np.zeros(1)
 
 
 class MaterialSteps:
-    """Writes the passes of one material into the list `operations`; intact: for zones in which no voids stand as the passes begin."""
+    """Writes the passes of one material into the list `operations`.
 
-    def __init__(self, laws: Laws, at: Rows, explicit: bool, intact: bool = False):
+    at        the solver's rows, each a `Place`: z fields of zones, b further ones of burning zones, w scratch, found what passes find
+              (`soundness`), whole and half the time step and half of it, and its own
+    explicit  whether stresses in the middle of a step are found from the energy there
+    intact    for zones in which no voids stand as the passes begin
+    """
+
+    def __init__(self, laws: Laws, at, explicit: bool, intact: bool = False):
         self.laws, self.at, self.intact = laws, at, intact
         self.operations: list[Operation] = []
         self.constants = np.array(laws.constants, dtype=float)
@@ -67,7 +56,7 @@ class MaterialSteps:
     def clear(self, *which: Place) -> None:
         """Zeros in rows."""
         for row in which:
-            self.do(rows.clear_pass, (row,))
+            self.do(rows.fill_pass, (row,), numbers=NOTHING)
 
     def copy(self, row: Place, to: Place) -> None:
         """A row into another."""
@@ -176,7 +165,7 @@ class MaterialSteps:
         if laws.remembers:
             self.do(closure.rest_pass, (z.compaction, w.rest), law=laws.eos)
         else:
-            self.do(rows.rest_pass, (w.rest,))
+            self.do(rows.fill_pass, (w.rest,))     # the first of the material's constants
         self.do(fracture.fracture_pass, (self.t1, z.p, w.c2, solid, w.v, w.rest, w.flow, z.damage, z.voids, z.failure, w.relief, w.grown,
                                          self.at.found), law=laws.fracture)
 

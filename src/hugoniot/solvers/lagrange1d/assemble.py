@@ -52,13 +52,8 @@ def viscosity_in(material, viscosity):
     return viscosity
 
 
-def region_starts(problem: Problem) -> list:
-    """`start_region` of every region."""
-    return [start_region(problem, region) for region in problem.regions]
-
-
 def laws_of_regions(problem: Problem, starts) -> tuple[list[Laws], list[int]]:
-    """The laws of a problem's materials, and which of them each region follows; `starts` of `region_starts`."""
+    """The laws of a problem's materials, and which of them each region follows; `starts`: `start_region` of each."""
     viscosity = viscosity_of(problem)
     noise = ROUND_OFF * _speed_scale(problem, starts) ** 2
     found: dict[str, Laws] = {}
@@ -154,7 +149,7 @@ def interface_bond(problem, left, right):
 
 
 def assemble(problem: Problem, starts):
-    """(zone table, charge table, nodes, gradient, segments, region zone ranges) of a problem at t = 0; `starts` of `region_starts`."""
+    """(zone table, charge table, nodes, gradient, segments, region zone ranges) of a problem at t = 0; `starts`: `start_region` of each."""
     geometry = GEOMETRY.get(problem.geometry).example
     reactive.check(problem)
     counts = [region.zones for region in problem.regions]
@@ -220,16 +215,11 @@ def _weld(problem, zones, body, ranges, r, u, weight, bond):
 
 def boundary_end(problem: Problem, boundary: Boundary, field):
     """An end as the sweeps take it; its class says what is compiled."""
-    pulse, table = boundary_pulse(boundary)
+    pulse, table = history(boundary.pulse)
     kinds = problem.left.kind, problem.right.kind
     if "periodic" in kinds:
         return RingEnd(pulse, table, field, joined_seam(problem.regions), sum(region.zones for region in problem.regions) - 1)
     return (OpenEnd if "transmitting" in kinds else End)(pulse, table, field)
-
-
-def boundary_pulse(boundary: Boundary):
-    """(pulse numbers, table) of a boundary as the sweeps take them."""
-    return history(boundary.pulse)
 
 
 def history(pulse: Pulse | None):

@@ -57,7 +57,9 @@ def advance(s, geometry):
         s.do(P.heat_before, (w.q, w.dv, w.given, z.viscous_work))
     elif s.laws.burns:
         s.copy(w.given, w.heat)
-    strain(s, geometry, solid)
+    if s.laws.is_strong:
+        s.do(P.strain_and_work, (s.asked(solid, z.e, z.p, s.at.b.lam), z.s1, z.s2, w.radial, *strains(s, geometry), w.v_half, w.shear,
+                                 w.limit, w.flow, w.given), law=s.strong(geometry))
     if s.laws.burns:
         s.copy(z.e, w.target)
         s.add(w.given, w.target)
@@ -72,14 +74,6 @@ def advance(s, geometry):
     s.harden(w.v_half)
     stand(s, geometry)
     find_conductivity(s, solid)
-
-
-def strain(s, geometry, solid):
-    """Write the deviators at n+1 and their work."""
-    z, w = s.at.z, s.at.w
-    if s.laws.is_strong:
-        s.do(P.strain_and_work, (s.asked(solid, z.e, z.p, s.at.b.lam), z.s1, z.s2, w.radial, *strains(s, geometry), w.v_half, w.shear,
-                                 w.limit, w.flow, w.given), law=s.strong(geometry))
 
 
 def stand(s, geometry):

@@ -14,7 +14,7 @@ from hugoniot.problem.defaults import with_defaults
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import accounts, reactive, start, transmitting
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_end, laws_of_regions, region_starts, viscosity_of
+from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_end, laws_of_regions, start_region
 from hugoniot.solvers.lagrange1d.at_nodes import node_criteria
 from hugoniot.solvers.lagrange1d.between_steps import events_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, left_nodes, run_table, set_node_masses, shares_of
@@ -48,9 +48,8 @@ class Lagrange1D(NothingToAdd):
         self.scheme = SCHEMES[problem.solver.integrator]
         self.staggered = self.scheme.staggered
         self.team = team_of(problem.solver.threads, sum(region.zones for region in problem.regions), WORTH_SHARING)
-        starts = region_starts(problem)
+        starts = [start_region(problem, region) for region in problem.regions]
         laws, self.laws_of_region = laws_of_regions(problem, starts)
-        self.viscosity = viscosity_of(problem)
         self.table, self.charge_table, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem, starts)
         self.zones = self.table[:, :self.region_ranges[-1][1]]
         self.burning = any(reactive.burns(problem, region) for region in problem.regions)
@@ -213,21 +212,8 @@ class Lagrange1D(NothingToAdd):
         return self.charge[list(L.PHASE_ROWS)] if self.burning else None
 
     # -- accounts --------------------------------------------------------------------------------------------
-    def total_energy(self) -> float:
-        """Kinetic and internal energy, J per m^2, per m and radian, or per steradian."""
-        return accounts.total_energy(self.zones, self.nodes)
-
-    def momentum(self) -> float:
-        """Momentum, kg m/s per m^2, per m and radian, or per steradian."""
-        return accounts.momentum(self.nodes)
-
-    def errors(self) -> dict[str, float]:
-        """Relative mass, momentum and energy errors against the boundary's impulse and work; of momentum NaN for the curved leapfrog."""
-        return accounts.errors(self)
-
-    def exchanges(self) -> dict[str, float]:
-        """Work (J) and impulse (kg m/s) of the two ends so far and, where something burns, the chemical energy set free (J)."""
-        return accounts.exchanges(self)
+    total_energy, momentum, errors = accounts.total_energy, accounts.momentum, accounts.errors
+    exchanges, peaks = accounts.exchanges, accounts.peaks
 
     def counts(self) -> dict[str, int]:
         """Voids opened and closed, separated interfaces, and how often the tension of a failing zone was held at its spall strength."""
@@ -237,10 +223,6 @@ class Lagrange1D(NothingToAdd):
     def largest_velocity_jump(self) -> dict[str, float]:
         """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
         return accounts.largest_velocity_jump(self.problem, self.zones[Z.peak_pressure], self.zones[Z.peak_density], self.region_ranges)
-
-    def peaks(self) -> dict[str, np.ndarray]:
-        """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
-        return accounts.peaks(self.zones)
 
     def warnings(self) -> list[str]:
         """Sentences about rates of burning that the mesh did not resolve, and about explosives stretched beyond what they can carry."""

@@ -167,20 +167,15 @@ def pulse_integral(time, pulse, table):
 
 
 @nb.njit(**BY_ADDRESS)
-def measure(time, dt, supply):
-    """Integrals of the histories over a step."""
-    for i in range(supply.sums.shape[0]):
-        amount = pulse_integral(time + dt, supply.pulses[i], supply.tables[i]) - pulse_integral(time, supply.pulses[i], supply.tables[i])
-        supply.amounts[i, 0], supply.amounts[i, 1] = amount, 0.5 * amount
-
-
-@nb.njit(**BY_ADDRESS)
 def heated_step(nodes, control, segments, supply):
     """Shorten the time step where the heat of a source would make a zone so hot that sound crosses it; amounts are set for it."""
-    limit = control[L.COURANT] ** 2
+    limit, time = control[L.COURANT] ** 2, control[L.TIME]
     for _ in range(60):
         dt = control[L.DT]
-        measure(control[L.TIME], dt, supply)
+        for i in range(supply.sums.shape[0]):
+            pulse, table = supply.pulses[i], supply.tables[i]
+            amount = pulse_integral(time + dt, pulse, table) - pulse_integral(time, pulse, table)
+            supply.amounts[i, 0], supply.amounts[i, 1] = amount, 0.5 * amount
         worst = 0.0
         for s in range(segments.shape[0]):
             for j in range(segments[s, L.SEG_FIRST], segments[s, L.SEG_LAST]):
