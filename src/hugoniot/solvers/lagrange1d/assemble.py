@@ -34,13 +34,6 @@ CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L
          "periodic": L.PERIODIC}
 
 
-def viscosity_of(problem: Problem):
-    """Parameter tuple of the artificial viscosity."""
-    name, values = problem.solver.viscosity
-    law = VISCOSITY.get(name)
-    return law.build(**{**law.defaults, **dict(values)})
-
-
 def viscosity_in(material, viscosity):
     """The viscosity as a material has it: condensed ones have a linear coefficient of their own, in weak jumps only without strength."""
     if "linear_condensed" not in viscosity._fields:
@@ -54,7 +47,8 @@ def viscosity_in(material, viscosity):
 
 def laws_of_regions(problem: Problem, starts) -> tuple[list[Laws], list[int]]:
     """The laws of a problem's materials, and which of them each region follows; `starts`: `start_region` of each."""
-    viscosity = viscosity_of(problem)
+    law, values = VISCOSITY.get(problem.solver.viscosity[0]), dict(problem.solver.viscosity[1])
+    viscosity = law.build(**{**law.defaults, **values})
     noise = ROUND_OFF * _speed_scale(problem, starts) ** 2
     found: dict[str, Laws] = {}
     for region in problem.regions:

@@ -73,12 +73,8 @@ class End(NamedTuple):
     field: Any
 
 
-class OpenEnd(NamedTuple):
+class OpenEnd(End):
     """The same, of a run that has a transmitting end."""
-
-    pulse: Any
-    table: Any
-    field: Any
 
 
 # -- boundaries --------------------------------------------------------------------------------------------------------

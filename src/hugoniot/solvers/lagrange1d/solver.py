@@ -23,7 +23,7 @@ from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
 from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner
 from hugoniot.solvers.lagrange1d.post_mortem import unphysical
 from hugoniot.solvers.lagrange1d.probes import applied_stress, gauge_places, probe_tables
-from hugoniot.solvers.lagrange1d.step import AT_NODES, SCHEMES, WATCH, Arrays, Gauges, march
+from hugoniot.solvers.lagrange1d.step import AT_NODES, SCHEMES, WATCH, Arrays, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange1d.terms import NoTerms, terms_of
 from hugoniot.solvers.lagrange1d.watch import pass_times
@@ -166,13 +166,12 @@ class Lagrange1D(NothingToAdd):
         return dict(zip(("time", "velocity", "stress", "velocity_right"), self.passed[:int(self.counters[L.PASSED_TIMES])].T.copy()))
 
     def _march_arguments(self, cycles, plan):
-        arrays = self._arrays()
-        gauges = Gauges(self.gauges, self.weights, self.gauge_times, self.gauge_buffer)
-        return cycles, arrays, plan, self.scheme, self.geometry, self.boundaries, gauges, self.terms.marching
+        return cycles, self._arrays(), plan, self.scheme, self.geometry, self.boundaries, self.terms.marching
 
     def _arrays(self):
         return Arrays(self.table, self.charge_table, self.node_table, self.gradient_table, self.control, self.counters, self.segments,
-                      self.interfaces, self.passed, self.criteria, self.asking, self.watching)
+                      self.interfaces, self.passed, self.criteria, self.gauges, self.weights, self.gauge_times, self.gauge_buffer,
+                      self.asking, self.watching)
 
     def take_gauges(self):
         """(times, {field: (n, ngauge)}) recorded since the last call; with what `reactive.gauge_columns` adds where something burns."""

@@ -63,7 +63,8 @@ SCHEMES = {"compatible": Compatible(), "wilkins": Leapfrog()}
 
 class Arrays(NamedTuple):
     """What a march works on besides its plan: the tables of `layout`, control numbers, bodies and weak interfaces, times it passes;
-    fracture criteria at nodes (`at_nodes`); addresses of `ask_at_nodes`, 0 where no node is asked, and `watch`."""
+    fracture criteria at nodes (`at_nodes`); where gauges sit (`probes`), and the buffer of what they saw; addresses of `ask_at_nodes`, 0
+    where no node is asked, and `watch`."""
 
     zones: Any
     charge: Any
@@ -75,17 +76,12 @@ class Arrays(NamedTuple):
     interfaces: Any
     passed: Any
     criteria: Any
+    gauges: Any
+    weights: Any
+    gauge_times: Any
+    gauge_buffer: Any
     asking: int
     watching: int
-
-
-class Gauges(NamedTuple):
-    """Where gauges sit (`probes`), and the buffer of what they saw."""
-
-    table: Any
-    weights: Any
-    times: Any
-    buffer: Any
 
 
 # -- parts of the step -----------------------------------------------------------------------------------------------
@@ -243,13 +239,13 @@ def end_terms(a, plan, scheme, geometry, terms):
 
 
 @nb.njit(**GUARD)
-def march(cycles, a, plan, scheme, geometry, boundaries, gauges, terms):
+def march(cycles, a, plan, scheme, geometry, boundaries, terms):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     control, counters, zone_count = a.control, a.counters, a.segments[-1, L.SEG_LAST]
-    totals, recording = plan.found[plan.found.shape[0] - 1], gauges.table.shape[0] > 0
+    totals, recording = plan.found[plan.found.shape[0] - 1], a.gauges.shape[0] > 0
     pass_times(a.zones, a.nodes, control, counters, a.segments, a.passed)
     for _ in range(cycles):
-        if recording and counters[L.GAUGE_ROWS] >= gauges.times.shape[0]:
+        if recording and counters[L.GAUGE_ROWS] >= a.gauge_times.shape[0]:
             return L.BUFFER_FULL
         choose_step(a.zones, a.nodes, control, a.segments, scheme.staggered, geometry)
         if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
@@ -271,8 +267,8 @@ def march(cycles, a, plan, scheme, geometry, boundaries, gauges, terms):
         call_entry(a.watching, a, geometry, totals)
         if recording and (control[L.TIME] >= control[L.NEXT_GAUGE] or at_event):
             at = counters[L.GAUGE_ROWS]
-            gauges.times[at] = control[L.TIME]
-            record_gauges(a.zones, a.charge, a.nodes, gauges.table, gauges.weights, gauges.buffer[at])
+            a.gauge_times[at] = control[L.TIME]
+            record_gauges(a.zones, a.charge, a.nodes, a.gauges, a.weights, a.gauge_buffer[at])
             counters[L.GAUGE_ROWS] = at + 1
             while control[L.NEXT_GAUGE] <= control[L.TIME] and control[L.GAUGE_INTERVAL] > 0.0:
                 control[L.NEXT_GAUGE] += control[L.GAUGE_INTERVAL]
