@@ -102,19 +102,14 @@ def laws_of(eos, strength, fracture, viscosity, noise: float, per_rate: float = 
 
 
 # -- laws in kernels ---------------------------------------------------------------------------------------------------
-def _bind_laws() -> None:
-    """Make every registered law callable from passes; once per process."""
-    for family, contract in ((eos_contract.EOS, eos_contract), (STRENGTH, strength_contract), (FRACTURE, fracture_contract),
-                             (VISCOSITY, viscosity_contract)):
-        bind_family(family, contract.GENERICS)
+for _family, _contract in ((eos_contract.EOS, eos_contract), (STRENGTH, strength_contract), (FRACTURE, fracture_contract),
+                           (VISCOSITY, viscosity_contract)):
+    bind_family(_family, _contract.GENERICS)
 
 
 def bind_burning() -> None:
-    """The same for burn laws and mixtures."""
+    """Make burn laws and mixtures callable from passes, as the others are."""
     bind_mixtures()
     bind_family(BURN, burn_contract.GENERICS)
     for module in (depletion, burn_contract, mixture_contract):
         bind_module(module)
-
-
-_bind_laws()

@@ -7,6 +7,7 @@ sqrt(3/2 s:s) of the trial state.
 Source: Wilkins B.2 items 5 and 6; Herrmann A.18.
 """
 
+from collections import namedtuple
 from typing import Any, NamedTuple
 
 from hugoniot.core.binder import bind, only_if
@@ -41,15 +42,8 @@ class Strong(NamedTuple):
     geometry: Any
 
 
-class Solid(NamedTuple):
+class Solid(namedtuple("Solid", "rho p temperature c2 lam plastic_strain")):
     """Rows of what a strength law is asked with: rho (kg/m3), p (Pa), temperature (K), c2 (bulk, m2/s2), burn fraction, plastic strain."""
-
-    rho: Any
-    p: Any
-    temperature: Any
-    c2: Any
-    lam: Any
-    plastic_strain: Any
 
 
 def yield_at(equivalent, shear, state, plastic_strain, strength):

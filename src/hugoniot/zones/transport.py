@@ -7,7 +7,7 @@ from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.eos.contract import pressure, pressure_derivatives, remembered, temperature
 from hugoniot.laws.transport import contract
-from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT, conductivity, conducts, isobaric_heat, viscosity
+from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT, Transport, conductivity, conducts, isobaric_heat, viscosity
 from hugoniot.zones import closure
 
 PROBE = 1e-4     # relative step of the temperature's slopes: their error is the square
@@ -25,21 +25,12 @@ class TransportRows(NamedTuple):
     around: Any
 
 
-class ZoneTransport(NamedTuple):
-    """Laws of a material as passes take them; `shear` and `conduction` are None where it has none."""
-
-    shear: Any
-    conduction: Any
-    bulk_ratio: float
-    bulk_viscosity: float
-
-
-def zone_transport(made) -> ZoneTransport:
-    """The laws of a `Transport` (its `shear` None where there is no viscosity) for passes."""
+def zone_transport(made: Transport) -> Transport:
+    """The same laws as passes take them; `shear` and `conduction` are None where a material has none."""
     bind_family(TRANSPORT, contract.GENERICS)
     bind_family(CONDUCTION, contract.CONDUCTION_GENERICS)
-    return ZoneTransport(None if made.shear is None else float_parameters(made.shear),
-                         float_parameters(made.conduction) if conducts(made) else None, made.bulk_ratio, made.bulk_viscosity)
+    return made._replace(shear=None if made.shear is None else float_parameters(made.shear),
+                         conduction=float_parameters(made.conduction) if conducts(made) else None)
 
 
 bind(isobaric_heat)

@@ -66,15 +66,6 @@ def ring_ghosts(gradient, segments):
         gradient[0], gradient[end] = gradient[end - 1], gradient[1]
 
 
-def weld_ends(zones, nodes) -> None:
-    """The two end nodes move with their mean momentum; the kinetic energy that loses heats the two zones."""
-    left, right = 0.5 * zones[Z.mass, 0], 0.5 * zones[Z.mass, -1]
-    jump = nodes[H.u, -1] - nodes[H.u, 0]
-    nodes[H.u, [0, -1]] = nodes[H.u, 0] + right / (left + right) * jump
-    heat = 0.5 * left * right / (left + right) * jump * jump
-    zones[Z.e, [0, -1]] += heat / (2.0 * (left + right))
-
-
 def joined_seam(regions) -> float:
     """1 where the first and the last region start alike, so that the seam is no contact."""
     one, two = regions[0], regions[-1]

@@ -9,6 +9,7 @@ Source: Herrmann 2.3 and 2.4 (body force), 2.16 and 2.18 (energy supply).
 """
 
 import math
+from collections import namedtuple
 from typing import Any, NamedTuple
 
 import numba as nb
@@ -19,7 +20,7 @@ from hugoniot.core.target import BY_ADDRESS
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.assemble import history
-from hugoniot.solvers.lagrange1d.field import AMOUNT, field_at
+from hugoniot.solvers.lagrange1d.field import field_at
 from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import add_impulse, pulse_value
 
@@ -35,17 +36,11 @@ class Force(NamedTuple):
     field: Any
 
 
-class Supply(NamedTuple):
+class Supply(namedtuple("Supply", "pulses tables weights sums amounts")):
     """Heat sources: pulses (n, 4), tables (n, 2, m), weights (n, zones), their sums over the mass (n,), amounts (n, 2).
 
     amounts are the integrals of the histories over this step, and their halves.
     """
-
-    pulses: Any
-    tables: Any
-    weights: Any
-    sums: Any
-    amounts: Any
 
 
 # -- from a problem ----------------------------------------------------------------------------------------------------
@@ -208,9 +203,3 @@ def book_supply(control, supply):
     """Energy of the heat sources in a step that was taken."""
     for i in range(supply.sums.shape[0]):
         control[L.SUPPLIED] += supply.sums[i] * supply.amounts[i, 0]
-
-
-@nb.njit(**BY_ADDRESS)
-def measure_force(time, dt, staggered, force):
-    """The acceleration of this step: in its middle, or at its start where velocities stand half a step behind."""
-    force.field[AMOUNT] = pulse_value(time if staggered else time + 0.5 * dt, force.pulse, force.table)

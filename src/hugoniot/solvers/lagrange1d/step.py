@@ -14,7 +14,8 @@ its cycles are done, an event time is reached, a gauge buffer is full, a void op
 `layout`. It knows no law, so that it is compiled once for an integrator and a geometry.
 """
 
-from typing import Any, NamedTuple
+from collections import namedtuple
+from typing import NamedTuple
 
 import numba as nb
 from numba.extending import overload
@@ -27,11 +28,12 @@ from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.at_nodes import fail_at_nodes
 from hugoniot.solvers.lagrange1d.conduction import conduct
+from hugoniot.solvers.lagrange1d.field import AMOUNT
 from hugoniot.solvers.lagrange1d.layout import H, Z
-from hugoniot.solvers.lagrange1d.nodes import add_impulse, end_node, end_pull, follow_end, leap_end
+from hugoniot.solvers.lagrange1d.nodes import add_impulse, end_node, end_pull, follow_end, leap_end, pulse_value
 from hugoniot.solvers.lagrange1d.plan import ADVANCE, AHEAD, CORRECT, DRIFT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, gather
 from hugoniot.solvers.lagrange1d.ring import mix_seam, ring_ghosts, seam_flux
-from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step, measure_force
+from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step
 from hugoniot.solvers.lagrange1d.terms import Marching
 from hugoniot.solvers.lagrange1d.transmitting import ghosts
 from hugoniot.solvers.lagrange1d.watch import (
@@ -61,27 +63,11 @@ class Leapfrog(NamedTuple):
 SCHEMES = {"compatible": Compatible(), "wilkins": Leapfrog()}
 
 
-class Arrays(NamedTuple):
+class Arrays(namedtuple("Arrays", "zones charge nodes gradient control counters segments interfaces passed criteria gauges weights "
+                        "gauge_times gauge_buffer asking watching")):
     """What a march works on besides its plan: the tables of `layout`, control numbers, bodies and weak interfaces, times it passes;
     fracture criteria at nodes (`at_nodes`); where gauges sit (`probes`), and the buffer of what they saw; addresses of `ask_at_nodes`, 0
     where no node is asked, and `watch`."""
-
-    zones: Any
-    charge: Any
-    nodes: Any
-    gradient: Any
-    control: Any
-    counters: Any
-    segments: Any
-    interfaces: Any
-    passed: Any
-    criteria: Any
-    gauges: Any
-    weights: Any
-    gauge_times: Any
-    gauge_buffer: Any
-    asking: int
-    watching: int
 
 
 # -- parts of the step -----------------------------------------------------------------------------------------------
@@ -223,8 +209,9 @@ def begin_terms(a, scheme, terms):
     """Force and heat of the step that begins, and the time step they allow."""
     if terms.supply.sums.shape[0] > 0:
         heated_step(a.nodes, a.control, a.segments, terms.supply)
-    if terms.force.pulse[0] >= 0.0:
-        measure_force(a.control[L.TIME], a.control[L.DT], scheme.staggered, terms.force)
+    if terms.force.pulse[0] >= 0.0:     # in the middle of the step, or at its start where velocities stand half a step behind
+        time = a.control[L.TIME] + (0.0 if scheme.staggered else 0.5 * a.control[L.DT])
+        terms.force.field[AMOUNT] = pulse_value(time, terms.force.pulse, terms.force.table)
 
 
 @only_if(lambda terms: terms is Marching)

@@ -6,12 +6,13 @@ import numpy as np
 
 from hugoniot.core.pass_lists import place, places
 from hugoniot.errors import OutOfRange
+from hugoniot.laws.transport.contract import Transport
 from hugoniot.problem.model import Problem
 from hugoniot.problem.terms import defects, transport_of
 from hugoniot.solvers.lagrange1d.conduction import Conduction
 from hugoniot.solvers.lagrange1d.sources import Force, Supply, force_of, supply_of
 from hugoniot.solvers.lagrange1d.tables import zone_table
-from hugoniot.zones.transport import TransportRows, ZoneTransport, zone_transport
+from hugoniot.zones.transport import TransportRows, zone_transport
 
 
 class Marching(NamedTuple):
@@ -34,7 +35,7 @@ class Terms(NamedTuple):
     force: Force
     supply: Supply
     conduction: Conduction
-    transports: tuple[ZoneTransport | None, ...]
+    transports: tuple[Transport | None, ...]
     heated: tuple[tuple[int, ...], ...]
     forced: bool
 
