@@ -40,7 +40,7 @@ def _bind(function, resolve):
     def resolved(*args):
         chosen = resolve(*args)
         if chosen is not None:
-            _bind_callees(chosen)
+            bind_callees(chosen)
         return chosen
 
     options = _bound[function] if isinstance(_bound[function], dict) else LAW
@@ -107,7 +107,10 @@ def bind_family(family: Registry, generics: dict):
 
 
 # -- what a function calls ---------------------------------------------------------------------------------------
-def _bind_callees(function) -> None:
+def bind_callees(function) -> None:
+    """Let a function that will be compiled call the plain functions it names, and so the kernels it calls; each once."""
+    for kernel in (value.py_func for value in _named(function) if hasattr(value, "py_func")):
+        bind_callees(kernel)
     for callee in _callees(function):
         if callee in _bound:
             continue

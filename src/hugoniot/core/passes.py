@@ -22,7 +22,7 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
-from hugoniot.core.binder import bind_choice
+from hugoniot.core.binder import bind_callees, bind_choice
 from hugoniot.core.compile_ahead import Job, job_of, job_of_types
 from hugoniot.core.kinds import key_of_value, kind_of_value, kinds_of
 from hugoniot.core.registry import Registry
@@ -154,6 +154,7 @@ class Pass:
         return job_of_types(self.compiled, self._arguments(kind_of_value(par)))
 
     def _arguments(self, law):
+        bind_callees(self.function)
         return (types.int64, rows_type(self.rows), types.float64, ROW, types.TypeRef(law))
 
 

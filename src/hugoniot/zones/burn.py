@@ -6,11 +6,10 @@
 Source: Starkenberg ARL-TR-2161 sections 3 to 5; Herrmann WL-TR-64-107 A.27 to A.30.
 """
 
-from hugoniot.core.binder import bind, bind_module, only_if
+from hugoniot.core.binder import only_if
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.core.passes import flag_of, law_of, named, rows_apart, zone_pass
 from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled, short_advance
-from hugoniot.laws.mixture import reference_state
 from hugoniot.laws.mixture.contract import mixture_temperature
 from hugoniot.laws.mixture.reference_state import PASSING, found_state, is_passing, reactants_share
 from hugoniot.zones.constants import Constants
@@ -157,8 +156,3 @@ def keep_phases_pass(count, z, dt, numbers, law):
         z.rho_p[j] = z.new_rho_p[j]
         z.e_p[j] = z.new_e_p[j]
         z.status[j] += z.new_status[j]
-
-
-bind_module(reference_state)
-for _function in (driving_pressure, fraction, short_fraction, pace):
-    bind(_function)

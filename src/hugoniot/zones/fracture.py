@@ -4,7 +4,6 @@ Voids grow at the capped tension and close at zero stress. The changes are consi
 which sees the solid's own volume, takes up the rest.
 """
 
-from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.core.passes import flag_of, law_of, rows_apart, zone_pass
 from hugoniot.laws.fracture.contract import FRACTURE, damage_rate, failure, tension_cap
@@ -101,7 +100,3 @@ def solid_pass(count, z, dt, numbers, law):
         for j in range(count):
             z.solid_v[j] = z.v[j]
             z.solid[j] = z.rho[j]
-
-
-for _function in (void_change, at_work, flow_beside_voids):
-    bind(_function)

@@ -17,7 +17,6 @@ Source: Starkenberg ARL-TR-2161 sections 3 to 5; `docs/theory/mixtures.md`.
 
 import numba as nb
 
-from hugoniot.core.binder import bind
 from hugoniot.core.passes import flag_of, law_of, rows_apart, zone_pass
 from hugoniot.core.target import SWEEP
 from hugoniot.laws.mixture.contract import (
@@ -164,7 +163,3 @@ def mixture_temperature_pass(count, z, dt, numbers, law):
     mixture = law_of(law, numbers)
     for j in range(count):
         z.temperature[j] = mixture_temperature(z.lam[j], phases(z, j), mixture)
-
-
-for _function in (whole, before, phases):
-    bind(_function)

@@ -78,6 +78,5 @@ def first_unsound(rho, c, sigma) -> int:
     return int(np.argmin(sound)) if not sound.all() else -1
 
 
-bind(wave_speed)
 for _function in (unsound, new_peaks, keep_peaks):
     bind(_function, **INLINE)

@@ -10,7 +10,7 @@ Source: Wilkins B.2 items 5 and 6; Herrmann A.18.
 from collections import namedtuple
 from typing import Any, NamedTuple
 
-from hugoniot.core.binder import bind, only_if
+from hugoniot.core.binder import only_if
 from hugoniot.core.ops import fmax
 from hugoniot.core.passes import flag_of, rows_apart, zone_pass
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
@@ -110,7 +110,3 @@ def plastic_heat_pass(count, z, dt, numbers, law):
     rows_apart()
     for j in range(count):
         z.heat[j] += z.limit[j] * z.flow[j] * z.v[j]
-
-
-for _function in (yield_at, modulus, yielding):
-    bind(_function)

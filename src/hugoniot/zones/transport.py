@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from hugoniot.core.binder import bind, bind_family
+from hugoniot.core.binder import bind_family
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.eos.contract import pressure, pressure_derivatives, remembered, temperature
@@ -31,9 +31,6 @@ def zone_transport(made: Transport) -> Transport:
     bind_family(CONDUCTION, contract.CONDUCTION_GENERICS)
     return made._replace(shear=None if made.shear is None else float_parameters(made.shear),
                          conduction=float_parameters(made.conduction) if conducts(made) else None)
-
-
-bind(isobaric_heat)
 
 
 @zone_pass("rho temperature viscosity")

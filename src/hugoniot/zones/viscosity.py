@@ -2,7 +2,6 @@
 
 from typing import Any, NamedTuple
 
-from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.core.passes import flag_of
 from hugoniot.laws.viscosity.contract import VISCOSITY, viscous_speed
@@ -62,7 +61,3 @@ def signal_speed(c, w, q, rho):
     have no more than 0.7 of the stiffness: their stress in the middle of the step follows the velocities led on to it.
     """
     return c + (2.0 * w if q > WEAK * rho * c * w else w * (1.0 / 3.0))
-
-
-for _function in (resisted, smoothness, resisting_speed, at_middle, signal_speed):
-    bind(_function)

@@ -34,9 +34,6 @@ def shrinking(r1, r2, u1, u2, geometry):
     return closing
 
 
-bind(shrinking)
-
-
 # -- passes of the geometry ----------------------------------------------------------------------------------------
 @zone_pass("r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth")
 def half_motion(count, z, dt, numbers, law):

@@ -36,9 +36,6 @@ def signal_squared(c2, printed, viscous):
     return fmax(sound + printed * printed, SOUND_SHARE * sound + VISCOUS_SHARE * viscous * viscous)
 
 
-bind(signal_squared)
-
-
 # -- passes of the geometry ----------------------------------------------------------------------------------------
 @zone_pass("r u inverse_mass c p smooth v q viscous_work dv v_half rho_half rho radial hoop dilation speed printed given")
 def whole_motion(count, z, dt, numbers, law):

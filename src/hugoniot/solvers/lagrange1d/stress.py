@@ -4,7 +4,7 @@ Wilkins B.2 items 5 and 6. In planar and spherical flow the two hoop directions 
 (Herrmann A.18, with the corrected result sgn 2Y/3); cylindrical flow needs the full second invariant.
 """
 
-from hugoniot.core.binder import bind, bind_family
+from hugoniot.core.binder import bind_family
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.mesh.line import GENERICS, GEOMETRY, area_per_radius, hoops
@@ -75,10 +75,6 @@ def strain_solid(count, z, dt, numbers, law):
     strong = law_of(law, numbers)
     for j in range(count):
         z.t1[j], z.t2[j], z.shear[j], z.limit[j], z.flow[j] = strained(z, j, dt, strong)
-
-
-for _function in (trial_deviators, von_mises, radial_return, equivalent_rate, hoop_force, strained):
-    bind(_function)
 
 
 def strains(s, geometry):
