@@ -32,6 +32,7 @@ pytestmark = pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), r
 
 def compiled(each: Pass, law=None):
     """A pass compiled for a law, kept for those that run it; compiled again where it is kept already, since machine code shows nothing."""
+    each.job(law)     # lets it call the functions it names
     kinds = (nb.int64, rows_type(each.rows), nb.float64, ROW, nb.types.TypeRef(nb.typeof(law)))
     for keep in True, False:
         kernel = nb.njit(**{**each.options, "cache": keep})(each.function)

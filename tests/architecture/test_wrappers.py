@@ -4,7 +4,7 @@ import ast
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-COMPILES = ("njit", "overload", "zone_pass", "intrinsic")
+COMPILES = ("njit", "overload", "zone_pass", "intrinsic", "only_if")
 HANDS_OVER = ("Entry", "bind", "bind_choice", "bind_flag")      # what these are given is compiled, or chosen for kernels
 
 

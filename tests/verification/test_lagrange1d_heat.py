@@ -251,7 +251,7 @@ initial_step = 1e-10
     volume_rate = 20.0 + (d - 1) * around
     radial = 2.0 * mu * (20.0 - volume_rate / 3.0) + zeta * volume_rate
     hoop = 2.0 * mu * (around - volume_rate / 3.0) + zeta * volume_rate
-    found = run.terms.rows_table[:, 1:99]
+    found = run.terms.conduction.rows[:, 1:99]
     assert found[5] == pytest.approx(radial[1:99], rel=1e-4) and found[6] == pytest.approx(hoop[1:99], rel=1e-4)
     assert run.errors()["energy_error"] < (1e-12 if integrator == "compatible" else 1e-6)
 

@@ -40,7 +40,7 @@ def _bind(function, resolve):
     def resolved(*args):
         chosen = resolve(*args)
         if chosen is not None:
-            _bind_callees(chosen)
+            bind_callees(chosen)
         return chosen
 
     options = _bound[function] if isinstance(_bound[function], dict) else LAW
@@ -87,6 +87,19 @@ def bind_choice(generic, choose):
         _bind(generic, lambda *args: choose(*(getattr(arg, "instance_class", None) for arg in args)))
 
 
+def only_if(chosen, otherwise=None):
+    """Decorator: kernels have the function where `chosen` holds for the class of its last argument (None: no tuple); elsewhere nothing
+    of it is compiled, and a call gives `otherwise`, None or a number."""
+    def nothing(*args):
+        return otherwise
+
+    def choice(function):
+        bind_choice(function, lambda *classes: function if chosen(classes[-1]) else nothing)
+        return function
+
+    return choice
+
+
 def bind_family(family: Registry, generics: dict):
     """Bind a family's generic functions (contract name -> plain dispatching function); its laws follow when a kernel meets them."""
     for name, generic in generics.items():
@@ -94,7 +107,10 @@ def bind_family(family: Registry, generics: dict):
 
 
 # -- what a function calls ---------------------------------------------------------------------------------------
-def _bind_callees(function) -> None:
+def bind_callees(function) -> None:
+    """Let a function that will be compiled call the plain functions it names, and so the kernels it calls; each once."""
+    for kernel in (value.py_func for value in _named(function) if hasattr(value, "py_func")):
+        bind_callees(kernel)
     for callee in _callees(function):
         if callee in _bound:
             continue

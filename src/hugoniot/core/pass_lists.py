@@ -49,7 +49,7 @@ def places(cls, table: np.ndarray, origin: int, first: int = 0) -> Any:
 
 
 class Operation(NamedTuple):
-    """A pass with what it works on: its law or geometry (None: none), rows (nested NamedTuples of `Place`), numbers, time step."""
+    """A pass with what it works on: its law or geometry (None: none), rows (`Place`s, or tuples of them), numbers, time step."""
 
     of: Pass
     law: Any
@@ -82,8 +82,8 @@ def write(lists: Iterable[list[Operation]]) -> tuple[Written, list[tuple[int, in
     operations, operands = np.zeros((len(every), 5), dtype=np.int64), [Place(0, FIXED)]
     for line, operation in zip(operations, every):
         rows = list(_flat(operation.rows))
-        if len(rows) > MOST_ROWS:
-            raise ValueError(f"{operation.of.__name__} takes {len(rows)} rows, more than {MOST_ROWS}")
+        if len(rows) > MOST_ROWS or len(operation.rows) != len(operation.of.rows._fields):
+            raise ValueError(f"{operation.of.__name__} takes {operation.of.rows._fields}, at most {MOST_ROWS} rows, not {operation.rows}")
         line[:] = operation.of.address(operation.law), operation.numbers.ctypes.data, operation.step.address, len(rows), len(operands)
         operands += rows
     ends = np.cumsum([0, *map(len, lists)]).tolist()

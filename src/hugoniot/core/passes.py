@@ -12,6 +12,7 @@ nothing beside the loop.
 """
 
 import functools
+from collections import namedtuple
 from typing import get_type_hints
 
 import numba as nb
@@ -21,7 +22,7 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
-from hugoniot.core.binder import bind_choice
+from hugoniot.core.binder import bind_callees, bind_choice
 from hugoniot.core.compile_ahead import Job, job_of, job_of_types
 from hugoniot.core.kinds import key_of_value, kind_of_value, kinds_of
 from hugoniot.core.registry import Registry
@@ -29,8 +30,8 @@ from hugoniot.core.rows import ROW, row_at, rows, rows_apart
 from hugoniot.core.target import BY_ADDRESS, EXACT_PASS, NAN_PASS, PASS
 
 # whoever writes passes takes the words for rows and for passes from here
-__all__ = ["ROW", "Entry", "Pass", "bind_flag", "call_entry", "kind_of", "law_of", "named", "numbers_of",
-           "row_at", "rows", "rows_apart", "with_groups", "zone_pass"]
+__all__ = ["ROW", "Entry", "Pass", "bind_flag", "call_entry", "flag_of", "kind_of", "law_of", "named", "numbers_of",
+           "row_at", "rows", "rows_apart", "zone_pass"]
 
 
 # -- laws as numbers -----------------------------------------------------------------------------------------------
@@ -124,12 +125,6 @@ def rows_type(cls):
     return types.NamedTuple([rows_type(hints[name]) if hasattr(hints.get(name), "_fields") else ROW for name in cls._fields], cls)
 
 
-def with_groups(cls, **groups):
-    """The NamedTuple class of rows `cls`, some of whose fields are `groups`: rows of other such classes."""
-    cls.__annotations__ = groups
-    return cls
-
-
 class Pass:
     """A loop over rows of zones, compiled for each law (or geometry) it meets.
 
@@ -159,17 +154,27 @@ class Pass:
         return job_of_types(self.compiled, self._arguments(kind_of_value(par)))
 
     def _arguments(self, law):
+        bind_callees(self.function)
         return (types.int64, rows_type(self.rows), types.float64, ROW, types.TypeRef(law))
 
 
-def zone_pass(rows, exact: bool = False, finite: bool = True):
-    """Decorator: make a `Pass` over rows of the NamedTuple class `rows`.
+def zone_pass(rows, exact: bool = False, finite: bool = True, **groups):
+    """Decorator: make a `Pass` over `rows`: their names in one string, or a NamedTuple class of them.
 
     exact    without fast-math
     finite   whether fast-math may take every number for a finite one: not where one that is not is looked for
+    groups   NamedTuple classes of those names that stand for rows of their own
     """
     options = EXACT_PASS if exact else PASS if finite else NAN_PASS
-    return lambda function: functools.update_wrapper(Pass(function, rows, options), function)
+
+    def made(function):
+        cls = rows if isinstance(rows, type) else namedtuple(f"{function.__name__}_rows", rows, module=function.__module__)
+        if cls is not rows:
+            cls.__qualname__ = f"{function.__name__}.rows"      # where whoever reads compiled code from the disk finds it
+            cls.__annotations__ = groups
+        return functools.update_wrapper(Pass(function, cls, options), function)
+
+    return made
 
 
 def _yes(par):
@@ -183,6 +188,15 @@ def _no(par):
 def bind_flag(function, family: Registry, flag: str) -> None:
     """Let kernels ask `function(par)` whether a law of the family has a flag; the answer is known when the kernel is compiled."""
     bind_choice(function, lambda cls: _yes if flag in family.of_class(cls).flags else _no)
+
+
+def flag_of(family: Registry, flag: str):
+    """The function (par) -> whether a law of the family has a flag, for Python and, known when they are compiled, for kernels."""
+    def has_flag(par) -> bool:
+        return flag in family.of(par).flags
+
+    bind_flag(has_flag, family, flag)
+    return has_flag
 
 
 # -- whole functions by address ----------------------------------------------------------------------------------------

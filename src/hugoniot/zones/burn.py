@@ -6,92 +6,28 @@
 Source: Starkenberg ARL-TR-2161 sections 3 to 5; Herrmann WL-TR-64-107 A.27 to A.30.
 """
 
-from collections import namedtuple
-from typing import Any, NamedTuple
-
-from hugoniot.core.binder import bind, bind_choice, bind_module
+from hugoniot.core.binder import only_if
 from hugoniot.core.ops import fmax, fmin
-from hugoniot.core.passes import bind_flag, law_of, named, rows_apart, zone_pass
+from hugoniot.core.passes import flag_of, law_of, named, rows_apart, zone_pass
 from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled, short_advance
-from hugoniot.laws.mixture import reference_state
-from hugoniot.laws.mixture.contract import Mixed, mixture_temperature
+from hugoniot.laws.mixture.contract import mixture_temperature
 from hugoniot.laws.mixture.reference_state import PASSING, found_state, is_passing, reactants_share
 from hugoniot.zones.constants import Constants
-from hugoniot.zones.mixture import BURNED, PARTLY, end_of_stretch, whole
+from hugoniot.zones.mixture import BURNED, PARTLY, end_of_stretch, phases, whole
 from hugoniot.zones.soundness import FOUND_RATE
 
 STEP_SHARE = 0.1     # of the shortest burning time a step may be
 NEARLY = 0.99        # burn fraction up to which the time step follows the rate
 IGNITED = 0.05       # burn fraction from which the resolution of the rate is watched
 SUBCYCLED = -1.0     # in place of a burn fraction that takes sub-steps
+counts_viscosity = flag_of(BURN, "includes_viscosity")     # whether the pressure a burn law is meant to see is that with the viscosity
+subcycles = flag_of(BURN, "subcycled")                     # whether its `advance` is a loop, which no packed loop over zones can hold
 
 
-class BurnRows(NamedTuple):
-    """lam, since (time from lighting to the start, s), width (m), rho, end_rho (what a schedule sees), drive (Pa), q, phases -> new."""
-
-    lam: Any
-    since: Any
-    width: Any
-    rho: Any
-    end_rho: Any
-    drive: Any
-    q: Any
-    p: Any
-    rho_r: Any
-    e_r: Any
-    rho_p: Any
-    e_p: Any
-    new: Any
-
-
-class RateRows(NamedTuple):
-    """lam, rho, p, q, phases -> pace (1/s); 0 for what has not begun, has nearly ended, or burns by schedule."""
-
-    lam: Any
-    rho: Any
-    p: Any
-    q: Any
-    rho_r: Any
-    e_r: Any
-    rho_p: Any
-    e_p: Any
-    pace: Any
-
-
-PaceRows = namedtuple("PaceRows", "lam pace inverse_width status resolution c found")
-PassedRows = namedtuple("PassedRows", "reference shocked")
-PassingRows = namedtuple("PassingRows", "q p rho c shocked")
-HeatRows = namedtuple("HeatRows", "shocked heat taken")
-LeadRows = namedtuple("LeadRows", "new shocked lam since reference")
-KeepRows = namedtuple("KeepRows", "new_rho_r new_e_r new_rho_p new_e_p new_status rho_r e_r rho_p e_p status")
-
-
+@only_if(lambda rate: "temperature_driven" in BURN.of_class(rate).flags, otherwise=0.0)
 def burn_temperature(lam, mixed, mixture, rate):
     """Temperature for a burn law that asks for one; 0 for the others, at no cost."""
-    return mixture_temperature(lam, mixed, mixture) if "temperature_driven" in BURN.of(rate).flags else 0.0
-
-
-def no_temperature(lam, mixed, mixture, rate):
-    return 0.0
-
-
-def its_temperature(lam, mixed, mixture, rate):
     return mixture_temperature(lam, mixed, mixture)
-
-
-def counts_viscosity(rate) -> bool:
-    """Whether the pressure a burn law is meant to see is that with the artificial viscosity."""
-    return "includes_viscosity" in BURN.of(rate).flags
-
-
-def subcycles(rate) -> bool:
-    """Whether `advance` of the burn law is a loop, which no packed loop over zones can hold."""
-    return "subcycled" in BURN.of(rate).flags
-
-
-def phases(z, j):
-    """The phases of the step before."""
-    return Mixed(z.p[j], z.rho_r[j], z.e_r[j], z.rho_p[j], z.e_p[j], 0.0)
 
 
 def driving_pressure(z, j, rate):
@@ -121,8 +57,9 @@ def pace(z, j, par):
     return found if lam < NEARLY else 0.0
 
 
-@zone_pass(BurnRows)
+@zone_pass("lam since width rho end_rho drive q p rho_r e_r rho_p e_p new")
 def burn_pass(count, z, dt, numbers, law):
+    """lam, since (time from lighting to the start, s), width (m), rho, end_rho (what a schedule sees), drive (Pa), q, phases -> new."""
     rows_apart()
     par = law_of(law, numbers)
     if subcycles(par.rate):      # tried for many zones at a time; those that are still whole are mostly answered at once
@@ -144,8 +81,9 @@ def burn_pass(count, z, dt, numbers, law):
             z.new[j] = fraction(z, j, dt, par)
 
 
-@zone_pass(RateRows)
+@zone_pass("lam rho p q rho_r e_r rho_p e_p pace")
 def rates_pass(count, z, dt, numbers, law):
+    """lam, rho, p, q, phases -> pace (1/s); 0 for what has not begun, has nearly ended, or burns by schedule."""
     rows_apart()
     par, start = law_of(law, numbers), 0
     while start < count:
@@ -158,7 +96,7 @@ def rates_pass(count, z, dt, numbers, law):
         start = stop
 
 
-@zone_pass(PaceRows)
+@zone_pass("lam pace inverse_width status resolution c found")
 def pace_pass(count, z, dt, numbers, law):
     """Largest signal rate of burning; notes how well burning is resolved, and marks zones whose mixture was not found."""
     rows_apart()
@@ -171,7 +109,7 @@ def pace_pass(count, z, dt, numbers, law):
     z.found[FOUND_RATE] = quickest
 
 
-@zone_pass(PassedRows)
+@zone_pass("reference shocked")
 def was_passing_pass(count, z, dt, numbers, law):
     """1 where a shock was passing at the end of the step before."""
     rows_apart()
@@ -179,7 +117,7 @@ def was_passing_pass(count, z, dt, numbers, law):
         z.shocked[j] = 1.0 if z.reference[j] == PASSING else 0.0
 
 
-@zone_pass(PassingRows)
+@zone_pass("q p rho c shocked")
 def is_passing_pass(count, z, dt, numbers, law):
     """1 where a shock is passing in this step."""
     rows_apart()
@@ -187,7 +125,7 @@ def is_passing_pass(count, z, dt, numbers, law):
         z.shocked[j] = 1.0 if is_passing(z.q[j], z.p[j], z.rho[j] * z.c[j] * z.c[j]) else 0.0
 
 
-@zone_pass(HeatRows)
+@zone_pass("shocked heat taken")
 def share_heat_pass(count, z, dt, numbers, law):
     """What phases take of a step's dissipated heat: reactants of a frozen reference state only while a shock is passing."""
     rows_apart()
@@ -196,7 +134,7 @@ def share_heat_pass(count, z, dt, numbers, law):
         z.taken[j] = reactants_share(z.heat[j], z.shocked[j] > 0.0, constants.freezes) if constants.isolates > 0.0 else z.heat[j]
 
 
-@zone_pass(LeadRows)
+@zone_pass("new shocked lam since reference")
 def lead_on_pass(count, z, dt, numbers, law):
     """Burn fractions, the clock of lighting and the code of the reactants' reference state at the end of the step."""
     rows_apart()
@@ -208,7 +146,7 @@ def lead_on_pass(count, z, dt, numbers, law):
             z.reference[j] = found_state(z.reference[j], z.shocked[j] > 0.0, z.new[j])
 
 
-@zone_pass(KeepRows)
+@zone_pass("new_rho_r new_e_r new_rho_p new_e_p new_status rho_r e_r rho_p e_p status")
 def keep_phases_pass(count, z, dt, numbers, law):
     """The phases just found become those of the step; a fault of either search counts."""
     rows_apart()
@@ -218,15 +156,3 @@ def keep_phases_pass(count, z, dt, numbers, law):
         z.rho_p[j] = z.new_rho_p[j]
         z.e_p[j] = z.new_e_p[j]
         z.status[j] += z.new_status[j]
-
-
-def _asks(flag, then, otherwise):
-    return lambda *classes: then if flag in BURN.of_class(classes[-1]).flags else otherwise
-
-
-bind_module(reference_state)
-bind_choice(burn_temperature, _asks("temperature_driven", its_temperature, no_temperature))
-bind_flag(counts_viscosity, BURN, "includes_viscosity")
-bind_flag(subcycles, BURN, "subcycled")
-for _function in (no_temperature, its_temperature, phases, driving_pressure, fraction, short_fraction, pace):
-    bind(_function)

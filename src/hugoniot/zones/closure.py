@@ -11,93 +11,28 @@ Passes take the specific volume v of the solid: laws that ask for rho0/rho alone
 Sound is elastic, on the unloading branch of a law with memory: a release outruns the wave that crushes.
 """
 
-from typing import Any, NamedTuple
-
 from hugoniot.core.ops import late_over
-from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
+from hugoniot.core.passes import flag_of, law_of, rows_apart, zone_pass
 from hugoniot.laws.eos.contract import EOS, compacted, pressure, pressure_derivatives, reference_state, remembered, unloading
 from hugoniot.laws.eos.contract import temperature as eos_temperature
 
 NEWTON_STEPS = 4      # of `settle` for laws that are not linear in the energy
+remembers = flag_of(EOS, "remembers")                      # whether an equation of state has a history variable
+linear_in_energy = flag_of(EOS, "linear_in_energy")        # whether its pressure is linear in the energy: `settle` is one division then
 
 
-class PressureRows(NamedTuple):
-    """v (m3/kg), e (J/kg), compaction -> p (Pa)."""
-
-    v: Any
-    e: Any
-    compaction: Any
-    p: Any
-
-
-class StateRows(NamedTuple):
-    """v, e, compaction (led on) -> p, c2 (m2/s2)."""
-
-    v: Any
-    e: Any
-    compaction: Any
-    p: Any
-    c2: Any
-
-
-class SettleRows(NamedTuple):
-    """v, dv (change of the specific volume), given (energy that others than the pressure gave, J/kg); e, p, compaction are led on -> c2."""
-
-    v: Any
-    dv: Any
-    given: Any
-    e: Any
-    p: Any
-    compaction: Any
-    c2: Any
-
-
-class StiffnessRows(NamedTuple):
-    """v, e, p, compaction -> c2."""
-
-    v: Any
-    e: Any
-    p: Any
-    compaction: Any
-    c2: Any
-
-
-class TemperatureRows(NamedTuple):
-    """rho, e, compaction -> temperature (K)."""
-
-    rho: Any
-    e: Any
-    compaction: Any
-    temperature: Any
-
-
-class RestRows(NamedTuple):
-    """compaction -> density at rest of material as compacted as it is, kg/m3."""
-
-    compaction: Any
-    rest: Any
-
-
-def remembers(eos) -> bool:
-    """Whether the equation of state has a history variable."""
-    return "remembers" in EOS.of(eos).flags
-
-
-def linear_in_energy(eos) -> bool:
-    """Whether the pressure is linear in the energy, so that `settle` is one division."""
-    return "linear_in_energy" in EOS.of(eos).flags
-
-
-@zone_pass(PressureRows)
+@zone_pass("v e compaction p")
 def pressure_pass(count, z, dt, numbers, law):
+    """v (m3/kg), e (J/kg), compaction -> p (Pa)."""
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
         z.p[j] = pressure(1.0 / z.v[j], z.e[j], remembered(z.compaction[j], eos))
 
 
-@zone_pass(StateRows)
+@zone_pass("v e compaction p c2")
 def state_pass(count, z, dt, numbers, law):
+    """v, e, compaction (led on) -> p, c2 (m2/s2)."""
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
@@ -112,8 +47,9 @@ def state_pass(count, z, dt, numbers, law):
         z.c2[j] = p_rho + p * p_e * (v * v)
 
 
-@zone_pass(SettleRows)
+@zone_pass("v dv given e p compaction c2")
 def settle_pass(count, z, dt, numbers, law):
+    """v, dv (change of the specific volume), given (energy that others than the pressure gave, J/kg); e, p, compaction led on -> c2."""
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
@@ -140,8 +76,9 @@ def settle_pass(count, z, dt, numbers, law):
         z.c2[j] = p_rho + p * p_e * (v * v)
 
 
-@zone_pass(StiffnessRows)
+@zone_pass("v e p compaction c2")
 def stiffness_pass(count, z, dt, numbers, law):
+    """v, e, p, compaction -> c2."""
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
@@ -150,21 +87,19 @@ def stiffness_pass(count, z, dt, numbers, law):
         z.c2[j] = p_rho + z.p[j] * p_e * (v * v)
 
 
-@zone_pass(TemperatureRows)
+@zone_pass("rho e compaction temperature")
 def temperature_pass(count, z, dt, numbers, law):
+    """rho, e, compaction -> temperature (K)."""
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
         z.temperature[j] = eos_temperature(z.rho[j], z.e[j], remembered(z.compaction[j], eos))
 
 
-@zone_pass(RestRows)
+@zone_pass("compaction rest")
 def rest_pass(count, z, dt, numbers, law):
+    """compaction -> density at rest of material as compacted as it is, kg/m3."""
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
         z.rest[j] = reference_state(remembered(z.compaction[j], eos))[0]
-
-
-bind_flag(remembers, EOS, "remembers")
-bind_flag(linear_in_energy, EOS, "linear_in_energy")

@@ -4,57 +4,14 @@ Voids grow at the capped tension and close at zero stress. The changes are consi
 which sees the solid's own volume, takes up the rest.
 """
 
-from collections import namedtuple
-from typing import Any, NamedTuple
-
-from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
-from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
+from hugoniot.core.passes import flag_of, law_of, rows_apart, zone_pass
 from hugoniot.laws.fracture.contract import FRACTURE, damage_rate, failure, tension_cap
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE
 
 TINY = 1e-300
 OPENING_OF_A_SPRAY = 0.01    # part of the volume
-
-
-class FractureRows(NamedTuple):
-    """t1 (Pa), c2, rho of the solid, v (of solid and voids), rest density -> failure, relief (Pa), how much voids grew (m3/kg, where
-    any stand); what is found.
-
-    p, flow, damage and voids (m3/kg) are led on.
-    """
-
-    t1: Any
-    p: Any
-    c2: Any
-    rho: Any
-    v: Any
-    rest: Any
-    flow: Any
-    damage: Any
-    voids: Any
-    failure: Any
-    relief: Any
-    grown: Any
-    found: Any
-
-
-class ReliefRows(NamedTuple):
-    """t1, c2, rho, voids; p is led on."""
-
-    t1: Any
-    p: Any
-    c2: Any
-    rho: Any
-    voids: Any
-
-
-SolidRows = namedtuple("SolidRows", "v rho voids solid solid_v")
-
-
-def grows_voids(fracture) -> bool:
-    """Whether a failing zone grows voids at a tension its law caps."""
-    return "voids" in FRACTURE.of(fracture).flags
+grows_voids = flag_of(FRACTURE, "voids")     # whether a failing zone grows voids at a tension its law caps
 
 
 def void_change(tension, stiffness, voids, density, fracture):
@@ -79,11 +36,13 @@ def flow_beside_voids(flow, grown, density):
     return fmax(flow - (2.0 / 3.0) * fmax(grown, 0.0) * density, 0.0)
 
 
-@zone_pass(FractureRows)
+@zone_pass("t1 p c2 rho v rest flow damage voids failure relief grown found")
 def fracture_pass(count, z, dt, numbers, law):
     """Damage, failure and its largest ratio; voids, the pressure they relieve and the flow beside them, and how many zones they held.
 
-    Voids are looked after only in pieces that have some, or a zone at the tension its law caps: most have neither.
+    t1 (Pa), c2, rho of the solid, v (of solid and voids), rest density -> failure, relief (Pa), how much voids grew (m3/kg, where any
+    stand); what is found. p, flow, damage and voids (m3/kg) are led on. Voids are looked after only in pieces that have some, or a zone
+    at the tension its law caps: most have neither.
     """
     rows_apart()
     fracture, worst, most, capped = law_of(law, numbers), z.found[FOUND_FAILURE], 0.0, 0.0
@@ -112,7 +71,7 @@ def fracture_pass(count, z, dt, numbers, law):
         z.found[FOUND_CAPPED] += capped
 
 
-@zone_pass(ReliefRows)
+@zone_pass("t1 p c2 rho voids")
 def relief_pass(count, z, dt, numbers, law):
     """Takes off the tension what the voids would now; none of them grows."""
     rows_apart()
@@ -125,7 +84,7 @@ def relief_pass(count, z, dt, numbers, law):
             z.p[j] = p + void_change(z.t1[j] - p, rho * rho * z.c2[j], z.voids[j], rho, fracture)[1]
 
 
-@zone_pass(SolidRows)
+@zone_pass("v rho voids solid solid_v")
 def solid_pass(count, z, dt, numbers, law):
     """Specific volume and density of the solid between the voids; v and rho are those of both."""
     rows_apart()
@@ -141,8 +100,3 @@ def solid_pass(count, z, dt, numbers, law):
         for j in range(count):
             z.solid_v[j] = z.v[j]
             z.solid[j] = z.rho[j]
-
-
-bind_flag(grows_voids, FRACTURE, "voids")
-for _function in (void_change, at_work, flow_beside_voids):
-    bind(_function)

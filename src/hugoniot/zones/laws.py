@@ -20,6 +20,7 @@ from hugoniot.laws.viscosity import contract as viscosity_contract
 from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.zones import closure, mixture
 from hugoniot.zones.constants import Constants
+from hugoniot.zones.fracture import grows_voids
 
 
 def keeps_time(eos) -> bool:
@@ -67,11 +68,6 @@ class Laws(NamedTuple):
         return "fluid" not in STRENGTH.of(self.strength).flags
 
     @property
-    def needs_rate(self) -> bool:
-        """Whether its strength asks for a strain rate."""
-        return "needs_rate" in STRENGTH.of(self.strength).flags
-
-    @property
     def needs_temperature(self) -> bool:
         """Whether its strength asks for a temperature."""
         return "needs_temperature" in STRENGTH.of(self.strength).flags
@@ -89,7 +85,7 @@ class Laws(NamedTuple):
     @property
     def grows_voids(self) -> bool:
         """Whether voids grow in it at the tension its fracture law caps."""
-        return "voids" in FRACTURE.of(self.fracture).flags
+        return grows_voids(self.fracture)
 
 
 def laws_of(eos, strength, fracture, viscosity, noise: float, per_rate: float = 0.0, front: float = 0.0, freezes: float = 0.0) -> Laws:
@@ -106,19 +102,14 @@ def laws_of(eos, strength, fracture, viscosity, noise: float, per_rate: float = 
 
 
 # -- laws in kernels ---------------------------------------------------------------------------------------------------
-def _bind_laws() -> None:
-    """Make every registered law callable from passes; once per process."""
-    for family, contract in ((eos_contract.EOS, eos_contract), (STRENGTH, strength_contract), (FRACTURE, fracture_contract),
-                             (VISCOSITY, viscosity_contract)):
-        bind_family(family, contract.GENERICS)
+for _family, _contract in ((eos_contract.EOS, eos_contract), (STRENGTH, strength_contract), (FRACTURE, fracture_contract),
+                           (VISCOSITY, viscosity_contract)):
+    bind_family(_family, _contract.GENERICS)
 
 
 def bind_burning() -> None:
-    """The same for burn laws and mixtures."""
+    """Make burn laws and mixtures callable from passes, as the others are."""
     bind_mixtures()
     bind_family(BURN, burn_contract.GENERICS)
     for module in (depletion, burn_contract, mixture_contract):
         bind_module(module)
-
-
-_bind_laws()

@@ -15,12 +15,9 @@ that fails leaves its status. Passes are compiled for a mixture, whatever the ra
 Source: Starkenberg ARL-TR-2161 sections 3 to 5; `docs/theory/mixtures.md`.
 """
 
-from typing import Any, NamedTuple
-
 import numba as nb
 
-from hugoniot.core.binder import bind
-from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
+from hugoniot.core.passes import flag_of, law_of, rows_apart, zone_pass
 from hugoniot.core.target import SWEEP
 from hugoniot.laws.mixture.contract import (
     CONVERGED,
@@ -36,68 +33,8 @@ from hugoniot.laws.mixture.contract import (
 )
 
 UNBURNED, PARTLY, BURNED = 0.0, -1.0, 1.0
-
-
-class SolveRows(NamedTuple):
-    """rho, e, lam (burn fraction), heat (J/kg), the phases before (p, rho_r, e_r, rho_p, e_p) -> the phases now (new_...) and status.
-
-    Of what has burned nothing or whole also c2 and p_e (`SlopeRows`): they share the exponentials of its pressure.
-    """
-
-    rho: Any
-    e: Any
-    lam: Any
-    heat: Any
-    p: Any
-    rho_r: Any
-    e_r: Any
-    rho_p: Any
-    e_p: Any
-    new_p: Any
-    new_rho_r: Any
-    new_e_r: Any
-    new_rho_p: Any
-    new_e_p: Any
-    status: Any
-    c2: Any
-    p_e: Any
-
-
-class SlopeRows(NamedTuple):
-    """rho, e, lam and solved phases -> c2 (m2/s2), p_e (dp/de at constant density, kg/m3)."""
-
-    rho: Any
-    e: Any
-    lam: Any
-    p: Any
-    rho_r: Any
-    e_r: Any
-    rho_p: Any
-    e_p: Any
-    c2: Any
-    p_e: Any
-
-
-class MixtureTemperatureRows(NamedTuple):
-    """lam and phases -> temperature (K)."""
-
-    lam: Any
-    p: Any
-    rho_r: Any
-    e_r: Any
-    rho_p: Any
-    e_p: Any
-    temperature: Any
-
-
-def isolates(mixture) -> bool:
-    """Whether the reactants keep an isentrope, and so have a reference state."""
-    return "follows_isentrope" in MIXTURE.of(mixture).flags
-
-
-def bare(mixture) -> bool:
-    """Whether nothing stands for the explosive before it burns."""
-    return "no_reactants" in MIXTURE.of(mixture).flags
+isolates = flag_of(MIXTURE, "follows_isentrope")     # whether the reactants keep an isentrope, and so have a reference state
+bare = flag_of(MIXTURE, "no_reactants")              # whether nothing stands for the explosive before it burns
 
 
 def whole(lam):
@@ -107,11 +44,11 @@ def whole(lam):
 
 def before(z, j):
     """The phases of the step before, warmed."""
-    return heated(Mixed(z.p[j], z.rho_r[j], z.e_r[j], z.rho_p[j], z.e_p[j], 0.0), z.heat[j])
+    return heated(phases(z, j), z.heat[j])
 
 
-def mixed_now(z, j):
-    """The solved phases."""
+def phases(z, j):
+    """The phases in rows."""
     return Mixed(z.p[j], z.rho_r[j], z.e_r[j], z.rho_p[j], z.e_p[j], 0.0)
 
 
@@ -150,14 +87,18 @@ def keep_slopes(z, j, mixed, lam, mixture):
 def solve_pure(z, start, stop, known, mixture):
     """Zones that have burned nothing, or whole."""
     for j in range(start, stop):
-        phases = heated(at_rest(z.rho_r[j], z.e_r[j]), z.heat[j]) if known == UNBURNED else before(z, j)
-        mixed = solve(z.rho[j], z.e[j], known, phases, mixture)
+        start_from = heated(at_rest(z.rho_r[j], z.e_r[j]), z.heat[j]) if known == UNBURNED else before(z, j)
+        mixed = solve(z.rho[j], z.e[j], known, start_from, mixture)
         keep(z, j, mixed)
         keep_slopes(z, j, mixed, known, mixture)
 
 
-@zone_pass(SolveRows)
+@zone_pass("rho e lam heat p rho_r e_r rho_p e_p new_p new_rho_r new_e_r new_rho_p new_e_p status c2 p_e")
 def solve_pass(count, z, dt, numbers, law):
+    """rho, e, lam (burn fraction), heat (J/kg), the phases before (p, rho_r, e_r, rho_p, e_p) -> the phases now (new_...) and status.
+
+    Of what has burned nothing or whole also c2 and p_e (`slopes_pass`): they share the exponentials of its pressure.
+    """
     rows_apart()
     mixture, start = law_of(law, numbers), 0
     while start < count:
@@ -178,17 +119,18 @@ def solve_pass(count, z, dt, numbers, law):
 @nb.njit(**SWEEP)
 def slopes_of_pure(z, start, stop, known, mixture):
     for j in range(start, stop):
-        keep_slopes(z, j, mixed_now(z, j), known, mixture)
+        keep_slopes(z, j, phases(z, j), known, mixture)
 
 
 @nb.njit(**SWEEP)
 def slopes_of_mixed(z, start, stop, mixture):
     for j in range(start, stop):
-        keep_slopes(z, j, mixed_now(z, j), z.lam[j], mixture)
+        keep_slopes(z, j, phases(z, j), z.lam[j], mixture)
 
 
-@zone_pass(SlopeRows)
+@zone_pass("rho e lam p rho_r e_r rho_p e_p c2 p_e")
 def slopes_pass(count, z, dt, numbers, law):
+    """rho, e, lam and solved phases -> c2 (m2/s2), p_e (dp/de at constant density, kg/m3)."""
     rows_apart()
     mixture, start = law_of(law, numbers), 0
     while start < count:
@@ -202,7 +144,7 @@ def slopes_pass(count, z, dt, numbers, law):
         start = stop
 
 
-@zone_pass(SlopeRows)
+@zone_pass(slopes_pass.rows)
 def mixed_slopes_pass(count, z, dt, numbers, law):
     """The slopes of what has burned a part; `solve_pass` has found those of the rest."""
     rows_apart()
@@ -214,15 +156,10 @@ def mixed_slopes_pass(count, z, dt, numbers, law):
         start = stop
 
 
-@zone_pass(MixtureTemperatureRows)
+@zone_pass("lam p rho_r e_r rho_p e_p temperature")
 def mixture_temperature_pass(count, z, dt, numbers, law):
+    """lam and phases -> temperature (K)."""
     rows_apart()
     mixture = law_of(law, numbers)
     for j in range(count):
-        z.temperature[j] = mixture_temperature(z.lam[j], mixed_now(z, j), mixture)
-
-
-bind_flag(isolates, MIXTURE, "follows_isentrope")
-bind_flag(bare, MIXTURE, "no_reactants")
-for _function in (whole, before, mixed_now):
-    bind(_function)
+        z.temperature[j] = mixture_temperature(z.lam[j], phases(z, j), mixture)

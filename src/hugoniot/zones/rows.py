@@ -1,33 +1,20 @@
 """Passes that only move numbers between rows."""
 
-from collections import namedtuple
-
 from hugoniot.core.ops import fmax
 from hugoniot.core.passes import rows_apart, zone_pass
 
 STRETCH = 32      # zones
 
-FillRows = namedtuple("FillRows", "row")
-CopyRows = namedtuple("CopyRows", "row to")
-AddRows = namedtuple("AddRows", "more to")
 
-
-@zone_pass(FillRows)
-def clear_pass(count, z, dt, numbers, law):
-    """Zeros."""
-    for j in range(count):
-        z.row[j] = 0.0
-
-
-@zone_pass(FillRows)
-def rest_pass(count, z, dt, numbers, law):
-    """The first number of a row in every zone: the density at rest of the material."""
+@zone_pass("row")
+def fill_pass(count, z, dt, numbers, law):
+    """The pass's first number in every zone."""
     rows_apart()
     for j in range(count):
         z.row[j] = numbers[0]
 
 
-@zone_pass(CopyRows)
+@zone_pass("row to")
 def copy_pass(count, z, dt, numbers, law):
     """A row into another."""
     rows_apart()
@@ -35,7 +22,7 @@ def copy_pass(count, z, dt, numbers, law):
         z.to[j] = z.row[j]
 
 
-@zone_pass(AddRows)
+@zone_pass("more to")
 def add_pass(count, z, dt, numbers, law):
     """A row added to another."""
     rows_apart()
@@ -43,7 +30,7 @@ def add_pass(count, z, dt, numbers, law):
         z.to[j] += z.more[j]
 
 
-@zone_pass(AddRows)
+@zone_pass("more to")
 def add_some_pass(count, z, dt, numbers, law):
     """A row that is mostly zero added to another: where it is zero for a stretch of zones the other one is not looked at."""
     rows_apart()

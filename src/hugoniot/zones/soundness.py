@@ -1,6 +1,6 @@
 """What a state must be, and the peaks a zone has seen: looked at after every step while the numbers are at hand."""
 
-from typing import Any, NamedTuple
+from collections import namedtuple
 
 import numpy as np
 
@@ -16,18 +16,8 @@ FOUND_FLOATS = 5
 STRESS_SCALE = 1e-18   # so that the same limit serves stresses: 1e30 Pa
 
 
-class PeakRows(NamedTuple):
+class PeakRows(namedtuple("PeakRows", "rho c sigma p peak_stress peak_tension peak_pressure peak_density found")):
     """rho, c, sigma, p -> the largest and smallest sigma, the largest p and rho so far; found[FOUND_UNSOUND]."""
-
-    rho: Any
-    c: Any
-    sigma: Any
-    p: Any
-    peak_stress: Any
-    peak_tension: Any
-    peak_pressure: Any
-    peak_density: Any
-    found: Any
 
 
 def wave_speed(c2, noise):
@@ -88,6 +78,5 @@ def first_unsound(rho, c, sigma) -> int:
     return int(np.argmin(sound)) if not sound.all() else -1
 
 
-bind(wave_speed)
 for _function in (unsound, new_peaks, keep_peaks):
     bind(_function, **INLINE)

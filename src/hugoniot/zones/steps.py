@@ -1,10 +1,10 @@
 """What the material of zones does in a step, in the order in which it happens, written into a list of passes.
 
-A solver lends its rows under the names used here (`Rows`); which passes a material takes is decided here, once, by its laws. Nothing
-here knows a dimension: strains, the elastic trial and the return to the yield surface are the solver's.
+A solver lends its rows under the names used here; which passes a material takes is decided here, once, by its laws. Nothing here knows
+a dimension: strains, the elastic trial and the return to the yield surface are the solver's.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -13,43 +13,34 @@ from hugoniot.core.passes import numbers_of
 from hugoniot.zones import burn, closure, fracture, mixture, rows, soundness, strength, viscosity
 from hugoniot.zones.laws import Laws
 
-
-class Rows(NamedTuple):
-    """Rows of the zones of a material, each a NamedTuple of `Place`, and what they share.
-
-    z        fields of zones
-    b        further fields of burning zones
-    w        scratch
-    found    what passes find (`soundness`)
-    whole    the time step
-    half     half of it
-    """
-
-    z: Any
-    b: Any
-    w: Any
-    found: Place
-    whole: Place
-    half: Place
+NOTHING = np.zeros(1)
 
 
 class MaterialSteps:
-    """Writes the passes of one material into the list `operations`; intact: for zones in which no voids stand as the passes begin."""
+    """Writes the passes of one material into the list `operations`.
 
-    def __init__(self, laws: Laws, at: Rows, explicit: bool, intact: bool = False):
+    at        the solver's rows, each a `Place`: z fields of zones, b further ones of burning zones, w scratch, found what passes find
+              (`soundness`), whole and half the time step and half of it, and its own
+    explicit  whether stresses in the middle of a step are found from the energy there
+    intact    for zones in which no voids stand as the passes begin
+    """
+
+    def __init__(self, laws: Laws, at, explicit: bool, intact: bool = False):
         self.laws, self.at, self.intact = laws, at, intact
         self.operations: list[Operation] = []
         self.constants = np.array(laws.constants, dtype=float)
         self._numbers: dict[int, tuple[Any, np.ndarray]] = {}
         # c^2 is asked for before the state is known
         self.bulk_first = laws.needs_bulk_modulus or (explicit and laws.grows_voids)
+        # of burning material: rho_r, e_r, rho_p, e_p at the start of the step, and those found in it
+        self.phases, self.new_phases = ((rows.rho_r, rows.e_r, rows.rho_p, rows.e_p) for rows in (at.b, at.w))
         # density and pressure in the middle of a step: burning zones are asked for them at its end
         self.rho_half, self.p_half = (at.b.rho_half, at.b.p_half) if laws.burns else (at.w.rho, at.w.p)
         # deviator along the tension, and modulus: nobody writes those of a fluid
         self.t1, self.shear = (at.w.t1, at.w.shear) if laws.is_strong else (at.w.zero, at.w.zero)
 
     def do(self, of, given, step: Place | None = None, law=None, kind=None, numbers=None) -> None:
-        """Add a pass over the rows `given`.
+        """Add a pass over the rows `given`, in the order in which it names them.
 
         step      the time step it takes; the whole one if not given
         law       the law it is compiled for, and whose numbers it takes
@@ -65,15 +56,15 @@ class MaterialSteps:
     def clear(self, *which: Place) -> None:
         """Zeros in rows."""
         for row in which:
-            self.do(rows.clear_pass, rows.FillRows(row))
+            self.do(rows.fill_pass, (row,), numbers=NOTHING)
 
     def copy(self, row: Place, to: Place) -> None:
         """A row into another."""
-        self.do(rows.copy_pass, rows.CopyRows(row, to))
+        self.do(rows.copy_pass, (row, to))
 
     def add(self, more: Place, to: Place) -> None:
         """A row added to another."""
-        self.do(rows.add_pass, rows.AddRows(more, to))
+        self.do(rows.add_pass, (more, to))
 
     @property
     def seen(self) -> soundness.PeakRows:
@@ -91,7 +82,7 @@ class MaterialSteps:
 
     def add_some(self, more: Place, to: Place) -> None:
         """A row that is mostly zero added to another."""
-        self.do(rows.add_some_pass, rows.AddRows(more, to))
+        self.do(rows.add_some_pass, (more, to))
 
     # -- closure -------------------------------------------------------------------------------------------------------------
     def pressure(self, solid, solid_v, e, p) -> None:
@@ -99,38 +90,36 @@ class MaterialSteps:
         if self.bulk_first and not self.laws.remembers:
             self.state(solid_v, e, p)
             return
-        self.do(closure.pressure_pass, closure.PressureRows(solid_v, e, self.at.z.compaction, p), law=self.laws.eos)
+        self.do(closure.pressure_pass, (solid_v, e, self.at.z.compaction, p), law=self.laws.eos)
         self.stiffness(solid, solid_v, e, p)
 
     def state(self, solid_v, e, p) -> None:
         """Pressure and c^2 of inert material at a given energy; what remembers is led on."""
-        self.do(closure.state_pass, closure.StateRows(solid_v, e, self.at.z.compaction, p, self.at.w.c2), law=self.laws.eos)
+        self.do(closure.state_pass, (solid_v, e, self.at.z.compaction, p, self.at.w.c2), law=self.laws.eos)
 
     def settle(self, solid_v) -> None:
         """Pressure, energy and c^2 of inert material together, w.given the energy that others than the pressure gave."""
         z, w = self.at.z, self.at.w
-        self.do(closure.settle_pass, closure.SettleRows(solid_v, w.dv, w.given, z.e, z.p, z.compaction, w.c2), law=self.laws.eos)
+        self.do(closure.settle_pass, (solid_v, w.dv, w.given, z.e, z.p, z.compaction, w.c2), law=self.laws.eos)
 
     def stiffness(self, solid, solid_v, e, p) -> None:
         """c^2 before the state is known, where it is asked for: of inert material, or of the phases of the step before."""
         b, w = self.at.b, self.at.w
         if self.bulk_first and not self.laws.burns:
-            self.do(closure.stiffness_pass, closure.StiffnessRows(solid_v, e, p, self.at.z.compaction, w.c2), law=self.laws.eos)
+            self.do(closure.stiffness_pass, (solid_v, e, p, self.at.z.compaction, w.c2), law=self.laws.eos)
         elif self.bulk_first:
-            self.do(mixture.slopes_pass, mixture.SlopeRows(solid, e, b.lam, p, b.rho_r, b.e_r, b.rho_p, b.e_p, w.c2, w.p_e),
-                    law=self.laws.eos.mixture)
+            self.do(mixture.slopes_pass, (solid, e, b.lam, p, *self.phases, w.c2, w.p_e), law=self.laws.eos.mixture)
 
     # -- strength ------------------------------------------------------------------------------------------------------------
     def _temperature(self, solid, e) -> Place:
         """The row of temperatures, for laws that ask for one."""
-        z, b, w = self.at.z, self.at.b, self.at.w
+        z, w = self.at.z, self.at.w
         if not self.laws.needs_temperature:
             return w.zero
         if self.laws.burns:
-            self.do(mixture.mixture_temperature_pass,
-                    mixture.MixtureTemperatureRows(b.lam, z.p, b.rho_r, b.e_r, b.rho_p, b.e_p, w.temperature), law=self.laws.eos.mixture)
+            self.do(mixture.mixture_temperature_pass, (self.at.b.lam, z.p, *self.phases, w.temperature), law=self.laws.eos.mixture)
         else:
-            self.do(closure.temperature_pass, closure.TemperatureRows(solid, e, z.compaction, w.temperature), law=self.laws.eos)
+            self.do(closure.temperature_pass, (solid, e, z.compaction, w.temperature), law=self.laws.eos)
         return w.temperature
 
     def asked(self, solid, e, p, lam) -> strength.Solid:
@@ -146,13 +135,13 @@ class MaterialSteps:
         """Plastic strain and work of the step, of volume v per mass."""
         z, w = self.at.z, self.at.w
         if self.laws.is_strong:
-            self.do(strength.harden_pass, strength.HardenRows(w.limit, w.flow, v, z.plastic_work, z.plastic_strain))
+            self.do(strength.harden_pass, (w.limit, w.flow, v, z.plastic_work, z.plastic_strain))
 
     def add_plastic_heat(self, v, heat) -> None:
         """Plastic work of a strain, J/kg, added to a row."""
         w = self.at.w
         if self.laws.is_strong:
-            self.do(strength.plastic_heat_pass, strength.PlasticHeatRows(w.limit, w.flow, v, heat))
+            self.do(strength.plastic_heat_pass, (w.limit, w.flow, v, heat))
 
     # -- fracture ------------------------------------------------------------------------------------------------------------
     def solid(self, rho) -> tuple[Place, Place]:
@@ -160,14 +149,13 @@ class MaterialSteps:
         w = self.at.w
         if self.intact or not self.laws.grows_voids:
             return rho, w.v
-        self.do(fracture.solid_pass, fracture.SolidRows(w.v, rho, self.at.z.voids, w.solid, w.solid_v))
+        self.do(fracture.solid_pass, (w.v, rho, self.at.z.voids, w.solid, w.solid_v))
         return w.solid, w.solid_v
 
     def relieve(self, solid) -> None:
         """Take off the pressure in the middle of a step what voids would take off now."""
         if self.laws.grows_voids:
-            self.do(fracture.relief_pass, fracture.ReliefRows(self.t1, self.p_half, self.at.w.c2, solid, self.at.z.voids),
-                    law=self.laws.fracture)
+            self.do(fracture.relief_pass, (self.t1, self.p_half, self.at.w.c2, solid, self.at.z.voids), law=self.laws.fracture)
 
     def tear(self, solid) -> None:
         """Damage, failure and voids at the end of a step, the pressure relieved."""
@@ -175,59 +163,55 @@ class MaterialSteps:
         if not laws.breaks:
             return
         if laws.remembers:
-            self.do(closure.rest_pass, closure.RestRows(z.compaction, w.rest), law=laws.eos)
+            self.do(closure.rest_pass, (z.compaction, w.rest), law=laws.eos)
         else:
-            self.do(rows.rest_pass, rows.FillRows(w.rest))
-        self.do(fracture.fracture_pass, fracture.FractureRows(self.t1, z.p, w.c2, solid, w.v, w.rest, w.flow, z.damage, z.voids, z.failure,
-                                                              w.relief, w.grown, self.at.found), law=laws.fracture)
+            self.do(rows.fill_pass, (w.rest,))     # the first of the material's constants
+        self.do(fracture.fracture_pass, (self.t1, z.p, w.c2, solid, w.v, w.rest, w.flow, z.damage, z.voids, z.failure, w.relief, w.grown,
+                                         self.at.found), law=laws.fracture)
 
     # -- burning -------------------------------------------------------------------------------------------------------------
     def burn(self, step, rho, end_rho, drive, q, new) -> None:
         """Burn fractions after a time step into the row `new`."""
         z, b = self.at.z, self.at.b
-        self.do(burn.burn_pass, burn.BurnRows(b.lam, b.since, b.size, rho, end_rho, drive, q, z.p, b.rho_r, b.e_r, b.rho_p, b.e_p, new),
-                step, law=self.laws.eos)
+        self.do(burn.burn_pass, (b.lam, b.since, b.size, rho, end_rho, drive, q, z.p, *self.phases, new), step, law=self.laws.eos)
 
     def mix(self, solid, e, lam, heat, p, status) -> None:
         """Pressure into the row p and phases into the scratch rows, from those of the step before warmed by `heat`; slopes of the pure."""
-        z, b, w = self.at.z, self.at.b, self.at.w
-        self.do(mixture.solve_pass, mixture.SolveRows(solid, e, lam, heat, z.p, b.rho_r, b.e_r, b.rho_p, b.e_p, p, w.rho_r, w.e_r, w.rho_p,
-                                                      w.e_p, status, w.c2, w.p_e), law=self.laws.eos.mixture)
+        w = self.at.w
+        self.do(mixture.solve_pass, (solid, e, lam, heat, self.at.z.p, *self.phases, p, *self.new_phases, status, w.c2, w.p_e),
+                law=self.laws.eos.mixture)
 
     def slopes(self, solid, e, lam, p, by=mixture.mixed_slopes_pass) -> None:
         """c^2 and dp/de of the phases in the scratch rows: what `mix` has left, or by `mixture.slopes_pass` all of them."""
-        w = self.at.w
-        self.do(by, mixture.SlopeRows(solid, e, lam, p, w.rho_r, w.e_r, w.rho_p, w.e_p, w.c2, w.p_e),
-                law=self.laws.eos.mixture)
+        self.do(by, (solid, e, lam, p, *self.new_phases, self.at.w.c2, self.at.w.p_e), law=self.laws.eos.mixture)
 
     def keep_phases(self) -> None:
         """The phases in the scratch rows become those of the step."""
-        b, w = self.at.b, self.at.w
-        self.do(burn.keep_phases_pass, burn.KeepRows(w.rho_r, w.e_r, w.rho_p, w.e_p, w.status, b.rho_r, b.e_r, b.rho_p, b.e_p, b.status))
+        self.do(burn.keep_phases_pass, (*self.new_phases, self.at.w.status, *self.phases, self.at.b.status))
 
     def share_old_heat(self, heat) -> None:
         """What phases take of `heat`, as far as a shock was passing at the end of the step before, into b.heat."""
         b, w = self.at.b, self.at.w
-        self.do(burn.was_passing_pass, burn.PassedRows(b.reference, w.shocked))
-        self.do(burn.share_heat_pass, burn.HeatRows(w.shocked, heat, b.heat))
+        self.do(burn.was_passing_pass, (b.reference, w.shocked))
+        self.do(burn.share_heat_pass, (w.shocked, heat, b.heat))
 
     def share_heat(self, q, p, rho, heat) -> None:
         """The same, as far as a shock of viscous pressure q is passing now."""
         b, w = self.at.b, self.at.w
-        self.do(burn.is_passing_pass, burn.PassingRows(q, p, rho, self.at.z.c, w.shocked))
-        self.do(burn.share_heat_pass, burn.HeatRows(w.shocked, heat, b.heat))
+        self.do(burn.is_passing_pass, (q, p, rho, self.at.z.c, w.shocked))
+        self.do(burn.share_heat_pass, (w.shocked, heat, b.heat))
 
     def lead_on(self, lam) -> None:
         """Burn fractions, clock and code of the reference state at the end of the step; w.shocked says where a shock is passing."""
         b = self.at.b
-        self.do(burn.lead_on_pass, burn.LeadRows(lam, self.at.w.shocked, b.lam, b.since, b.reference))
+        self.do(burn.lead_on_pass, (lam, self.at.w.shocked, b.lam, b.since, b.reference))
 
     def pace(self, inverse_width) -> None:
         """What burning asks of the time step, at the end of a step."""
         z, b, w = self.at.z, self.at.b, self.at.w
         if self.laws.burns:
-            self.do(burn.rates_pass, burn.RateRows(b.lam, z.rho, z.p, z.q, b.rho_r, b.e_r, b.rho_p, b.e_p, w.pace), law=self.laws.eos)
-            self.do(burn.pace_pass, burn.PaceRows(b.lam, w.pace, inverse_width, b.status, b.resolution, z.c, self.at.found))
+            self.do(burn.rates_pass, (b.lam, z.rho, z.p, z.q, *self.phases, w.pace), law=self.laws.eos)
+            self.do(burn.pace_pass, (b.lam, w.pace, inverse_width, b.status, b.resolution, z.c, self.at.found))
 
     # -- closures of burning material in the middle and at the end of a step ---------------------------------------------------------
     def close_half(self, solid) -> None:

@@ -10,13 +10,15 @@ Source: Wilkins B.2 items 5 and 6; Herrmann A.18.
 from collections import namedtuple
 from typing import Any, NamedTuple
 
-from hugoniot.core.binder import bind, bind_choice
+from hugoniot.core.binder import only_if
 from hugoniot.core.ops import fmax
-from hugoniot.core.passes import bind_flag, rows_apart, zone_pass
+from hugoniot.core.passes import flag_of, rows_apart, zone_pass
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
 from hugoniot.zones.rows import STRETCH
 
 TINY = 1e-300
+hardens = flag_of(STRENGTH, "hardens")           # whether the flow stress depends on the plastic strain
+needs_rate = flag_of(STRENGTH, "needs_rate")     # whether it depends on the strain rate
 
 
 class Inert(NamedTuple):
@@ -40,29 +42,8 @@ class Strong(NamedTuple):
     geometry: Any
 
 
-class Solid(NamedTuple):
+class Solid(namedtuple("Solid", "rho p temperature c2 lam plastic_strain")):
     """Rows of what a strength law is asked with: rho (kg/m3), p (Pa), temperature (K), c2 (bulk, m2/s2), burn fraction, plastic strain."""
-
-    rho: Any
-    p: Any
-    temperature: Any
-    c2: Any
-    lam: Any
-    plastic_strain: Any
-
-
-HardenRows = namedtuple("HardenRows", "limit flow v plastic_work plastic_strain")
-PlasticHeatRows = namedtuple("PlasticHeatRows", "limit flow v heat")
-
-
-def hardens(strength) -> bool:
-    """Whether the flow stress depends on the plastic strain."""
-    return "hardens" in STRENGTH.of(strength).flags
-
-
-def needs_rate(strength) -> bool:
-    """Whether the flow stress depends on the strain rate."""
-    return "needs_rate" in STRENGTH.of(strength).flags
 
 
 def yield_at(equivalent, shear, state, plastic_strain, strength):
@@ -101,12 +82,13 @@ def yielding(equivalent, shear, state, plastic_strain, lam, strong):
     return limit, increment
 
 
+@only_if(lambda material: material is Burning, otherwise=1.0)
 def unburned(lam, material):
     """Mass fraction that has not burned."""
-    return 1.0 - lam if isinstance(material, Burning) else 1.0
+    return 1.0 - lam
 
 
-@zone_pass(HardenRows)
+@zone_pass("limit flow v plastic_work plastic_strain")
 def harden_pass(count, z, dt, numbers, law):
     """Plastic strain and work of the step; stretches of zones in which none flows are passed over."""
     rows_apart()
@@ -122,24 +104,9 @@ def harden_pass(count, z, dt, numbers, law):
         first = end
 
 
-@zone_pass(PlasticHeatRows)
+@zone_pass("limit flow v heat")
 def plastic_heat_pass(count, z, dt, numbers, law):
     """Adds the plastic work of a strain, J/kg."""
     rows_apart()
     for j in range(count):
         z.heat[j] += z.limit[j] * z.flow[j] * z.v[j]
-
-
-def _rest(lam, material):
-    return 1.0 - lam
-
-
-def _all(lam, material):
-    return 1.0
-
-
-bind_flag(hardens, STRENGTH, "hardens")
-bind_flag(needs_rate, STRENGTH, "needs_rate")
-bind_choice(unburned, lambda *classes: _rest if classes[-1] is Burning else _all)
-for _function in (yield_at, modulus, yielding):
-    bind(_function)

@@ -1,21 +1,16 @@
 """Physical viscosity and heat conduction of the zones of a material: its shear viscosity, temperature, specific heats and conductivity."""
 
-from collections import namedtuple
 from typing import Any, NamedTuple
 
-from hugoniot.core.binder import bind, bind_family
+from hugoniot.core.binder import bind_family
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.eos.contract import pressure, pressure_derivatives, remembered, temperature
 from hugoniot.laws.transport import contract
-from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT, conductivity, conducts, isobaric_heat, viscosity
+from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT, Transport, conductivity, conducts, isobaric_heat, viscosity
 from hugoniot.zones import closure
 
 PROBE = 1e-4     # relative step of the temperature's slopes: their error is the square
-
-ViscosityRows = namedtuple("ViscosityRows", "rho temperature viscosity")
-HeatRows = namedtuple("HeatRows", "rho e compaction temperature isochoric isobaric")
-ConductivityRows = namedtuple("ConductivityRows", "rho temperature viscosity isobaric conductivity")
 
 
 class TransportRows(NamedTuple):
@@ -30,27 +25,15 @@ class TransportRows(NamedTuple):
     around: Any
 
 
-class ZoneTransport(NamedTuple):
-    """Laws of a material as passes take them; `shear` and `conduction` are None where it has none."""
-
-    shear: Any
-    conduction: Any
-    bulk_ratio: float
-    bulk_viscosity: float
-
-
-def zone_transport(made) -> ZoneTransport:
-    """The laws of a `Transport` (its `shear` None where there is no viscosity) for passes."""
+def zone_transport(made: Transport) -> Transport:
+    """The same laws as passes take them; `shear` and `conduction` are None where a material has none."""
     bind_family(TRANSPORT, contract.GENERICS)
     bind_family(CONDUCTION, contract.CONDUCTION_GENERICS)
-    return ZoneTransport(None if made.shear is None else float_parameters(made.shear),
-                         float_parameters(made.conduction) if conducts(made) else None, made.bulk_ratio, made.bulk_viscosity)
+    return made._replace(shear=None if made.shear is None else float_parameters(made.shear),
+                         conduction=float_parameters(made.conduction) if conducts(made) else None)
 
 
-bind(isobaric_heat)
-
-
-@zone_pass(ViscosityRows)
+@zone_pass("rho temperature viscosity")
 def viscosity_pass(count, z, dt, numbers, law):
     rows_apart()
     shear = law_of(law, numbers)
@@ -58,7 +41,7 @@ def viscosity_pass(count, z, dt, numbers, law):
         z.viscosity[j] = viscosity(z.rho[j], z.temperature[j], shear)
 
 
-@zone_pass(HeatRows)
+@zone_pass("rho e compaction temperature isochoric isobaric")
 def heat_pass(count, z, dt, numbers, law):
     """Temperature and specific heats; the slopes of the temperature by differences, as any law has it."""
     rows_apart()
@@ -76,7 +59,7 @@ def heat_pass(count, z, dt, numbers, law):
         z.isobaric[j] = isobaric_heat(rho, c2, p_rho, p_e, T_v, T_e)
 
 
-@zone_pass(ConductivityRows)
+@zone_pass("rho temperature viscosity isobaric conductivity")
 def conductivity_pass(count, z, dt, numbers, law):
     rows_apart()
     conduction = law_of(law, numbers)
@@ -88,8 +71,8 @@ def find_viscosity(s, rho, e) -> None:
     """Write the viscosity of a state of density and energy `rho`, `e`; s: `zones.steps.MaterialSteps` with rows t and `transport`."""
     t, laws = s.at.t, s.at.transport
     if "needs_temperature" in TRANSPORT.of(laws.shear).flags:
-        s.do(closure.temperature_pass, closure.TemperatureRows(rho, e, s.at.z.compaction, t.temperature), law=s.laws.eos)
-    s.do(viscosity_pass, ViscosityRows(rho, t.temperature, t.viscosity), law=laws.shear)
+        s.do(closure.temperature_pass, (rho, e, s.at.z.compaction, t.temperature), law=s.laws.eos)
+    s.do(viscosity_pass, (rho, t.temperature, t.viscosity), law=laws.shear)
 
 
 def find_conductivity(s, rho) -> None:
@@ -97,7 +80,7 @@ def find_conductivity(s, rho) -> None:
     if s.at.transport is None or s.at.transport.conduction is None:
         return
     t, z = s.at.t, s.at.z
-    s.do(heat_pass, HeatRows(rho, z.e, z.compaction, t.temperature, t.isochoric, t.isobaric), law=s.laws.eos)
+    s.do(heat_pass, (rho, z.e, z.compaction, t.temperature, t.isochoric, t.isobaric), law=s.laws.eos)
     if s.at.transport.shear is not None:
-        s.do(viscosity_pass, ViscosityRows(rho, t.temperature, t.viscosity), law=s.at.transport.shear)
-    s.do(conductivity_pass, ConductivityRows(rho, t.temperature, t.viscosity, t.isobaric, t.conductivity), law=s.at.transport.conduction)
+        s.do(viscosity_pass, (rho, t.temperature, t.viscosity), law=s.at.transport.shear)
+    s.do(conductivity_pass, (rho, t.temperature, t.viscosity, t.isobaric, t.conductivity), law=s.at.transport.conduction)

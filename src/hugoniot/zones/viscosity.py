@@ -2,9 +2,8 @@
 
 from typing import Any, NamedTuple
 
-from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
-from hugoniot.core.passes import bind_flag
+from hugoniot.core.passes import flag_of
 from hugoniot.laws.viscosity.contract import VISCOSITY, viscous_speed
 
 SMALL = 1e-30
@@ -12,6 +11,7 @@ SMALL = 1e-30
 # overshoot least in steps of 0.7 of the Courant step (0.2 % in the flyer of the examples; 0.4 % with 2, 9 % without)
 OWN = 4.0
 WEAK = 5e-4           # |du| / c of a zone: below it a viscosity counts a sixth as much in the time step
+two_sided = flag_of(VISCOSITY, "two_sided")     # whether a viscosity acts in expansion too
 
 
 class Resisting(NamedTuple):
@@ -19,11 +19,6 @@ class Resisting(NamedTuple):
 
     law: Any
     geometry: Any
-
-
-def two_sided(law) -> bool:
-    """Whether the viscosity acts in expansion too."""
-    return "two_sided" in VISCOSITY.of(law).flags
 
 
 def resisted(du, growth, law):
@@ -66,8 +61,3 @@ def signal_speed(c, w, q, rho):
     have no more than 0.7 of the stiffness: their stress in the middle of the step follows the velocities led on to it.
     """
     return c + (2.0 * w if q > WEAK * rho * c * w else w * (1.0 / 3.0))
-
-
-bind_flag(two_sided, VISCOSITY, "two_sided")
-for _function in (resisted, smoothness, resisting_speed, at_middle, signal_speed):
-    bind(_function)

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 
 from hugoniot.errors import OutOfRange
 from hugoniot.mesh.line import graded_nodes
-from hugoniot.problem.model import Boundary, Gauge, Problem, Pulse, Region
+from hugoniot.problem.model import Gauge, Problem, Pulse, Region
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.assemble import boundary_pulse
+from hugoniot.solvers.lagrange1d.assemble import history
 from hugoniot.solvers.lagrange1d.bodies import SHARE, run_table, shares_of
 from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import pulse_value
@@ -29,7 +29,7 @@ SHAPES = {
 
 
 def value(pulse, time):
-    return pulse_value.py_func(time, *boundary_pulse(Boundary("pressure", pulse)))
+    return pulse_value.py_func(time, *history(pulse))
 
 
 @pytest.mark.parametrize("shape", SHAPES)

@@ -1,4 +1,4 @@
-"""The accounts of a run: energy, momentum, what passed the ends, errors against both, and the largest values that zones have seen.
+"""The accounts of a run, by its solver: energy, momentum, what passed the ends, errors against both, and the largest values of zones.
 
 Extensive quantities are per m^2 (planar), per m and radian (cylindrical) or per steradian (spherical).
 """
@@ -18,14 +18,14 @@ def kinetic_energy(nodes) -> float:
     return 0.5 * np.sum(nodes[H.mass] * nodes[H.u] ** 2)
 
 
-def total_energy(zones, nodes) -> float:
+def total_energy(solver) -> float:
     """Kinetic and internal energy, J."""
-    return float(kinetic_energy(nodes) + np.sum(zones[Z.mass] * zones[Z.e]))
+    return float(kinetic_energy(solver.nodes) + np.sum(solver.zones[Z.mass] * solver.zones[Z.e]))
 
 
-def momentum(nodes) -> float:
-    """Momentum of the nodes, kg m/s."""
-    return float(np.sum(nodes[H.mass] * nodes[H.u]))
+def momentum(solver) -> float:
+    """Momentum, kg m/s."""
+    return float(np.sum(solver.nodes[H.mass] * solver.nodes[H.u]))
 
 
 def errors(solver) -> dict[str, float]:
@@ -42,8 +42,8 @@ def errors(solver) -> dict[str, float]:
                1e-300)
     return {
         "mass_error": float(abs(zones[Z.mass].sum() / solver.start_mass - 1.0)),
-        "momentum_error": abs(momentum(nodes) - solver.start_momentum - impulse) / size if kept else float("nan"),
-        "energy_error": abs(total_energy(zones, nodes) - solver.start_energy - work) / scale,
+        "momentum_error": abs(momentum(solver) - solver.start_momentum - impulse) / size if kept else float("nan"),
+        "energy_error": abs(total_energy(solver) - solver.start_energy - work) / scale,
     }
 
 
@@ -71,7 +71,8 @@ def largest_velocity_jump(problem, peak_pressure, peak_density, region_ranges) -
     return found
 
 
-def peaks(zones) -> dict[str, np.ndarray]:
+def peaks(solver) -> dict[str, np.ndarray]:
     """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
+    zones = solver.zones
     return {"peak_stress": zones[Z.peak_stress].copy(), "peak_tension": -zones[Z.peak_tension],
             "peak_pressure": zones[Z.peak_pressure].copy(), "peak_density": zones[Z.peak_density].copy()}

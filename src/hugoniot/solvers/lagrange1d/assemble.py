@@ -23,22 +23,16 @@ from hugoniot.problem.model import Boundary, Problem, Pulse
 from hugoniot.problem.profiles import values_at
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
+from hugoniot.solvers.lagrange1d.bodies import welded
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.solvers.lagrange1d.nodes import End, OpenEnd
-from hugoniot.solvers.lagrange1d.ring import RingEnd, joined_seam, weld_ends
+from hugoniot.solvers.lagrange1d.ring import RingEnd, joined_seam
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.zones.laws import Laws, laws_of
 
 ROUND_OFF = 1e-9     # c^2 below minus this fraction of the largest speed squared is imaginary, not noise
 CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L.PRESSURE, "transmitting": L.TRANSMITTING,
          "periodic": L.PERIODIC}
-
-
-def viscosity_of(problem: Problem):
-    """Parameter tuple of the artificial viscosity."""
-    name, values = problem.solver.viscosity
-    law = VISCOSITY.get(name)
-    return law.build(**{**law.defaults, **dict(values)})
 
 
 def viscosity_in(material, viscosity):
@@ -52,14 +46,10 @@ def viscosity_in(material, viscosity):
     return viscosity
 
 
-def region_starts(problem: Problem) -> list:
-    """`start_region` of every region."""
-    return [start_region(problem, region) for region in problem.regions]
-
-
 def laws_of_regions(problem: Problem, starts) -> tuple[list[Laws], list[int]]:
-    """The laws of a problem's materials, and which of them each region follows; `starts` of `region_starts`."""
-    viscosity = viscosity_of(problem)
+    """The laws of a problem's materials, and which of them each region follows; `starts`: `start_region` of each."""
+    law, values = VISCOSITY.get(problem.solver.viscosity[0]), dict(problem.solver.viscosity[1])
+    viscosity = law.build(**{**law.defaults, **values})
     noise = ROUND_OFF * _speed_scale(problem, starts) ** 2
     found: dict[str, Laws] = {}
     for region in problem.regions:
@@ -154,7 +144,7 @@ def interface_bond(problem, left, right):
 
 
 def assemble(problem: Problem, starts):
-    """(zone table, charge table, nodes, gradient, segments, region zone ranges) of a problem at t = 0; `starts` of `region_starts`."""
+    """(zone table, charge table, nodes, gradient, segments, region zone ranges) of a problem at t = 0; `starts`: `start_region` of each."""
     geometry = GEOMETRY.get(problem.geometry).example
     reactive.check(problem)
     counts = [region.zones for region in problem.regions]
@@ -165,15 +155,13 @@ def assemble(problem: Problem, starts):
     bodies = np.split(np.arange(len(counts)), breaks)
     burning_run = any(reactive.burns(problem, region) for region in problem.regions)
     table, charge = zone_table(len(Z), total), zone_table(len(B), total if burning_run else 0)
-    zones = table[:, :total]
-    node_parts, segments = [], []
-    for body in bodies:
-        r, u, weight, bond = [], [], [], []
+    zones, nodes = table[:, :total], np.zeros((len(H), total + len(bodies)))
+    nodes[H.bond] = NO_LIMIT
+    for k, body in enumerate(bodies):
         for i in body:
-            region, (place, rho, e, c) = problem.regions[i], starts[i]
-            a, b = ranges[i]
-            mass = rho * volume(place[:-1], place[1:], geometry)
-            zones[Z.mass, a:b], zones[Z.rho, a:b], zones[Z.e, a:b], zones[Z.c, a:b] = mass, rho, e, c
+            region, (place, rho, e, c), (a, b) = problem.regions[i], starts[i], ranges[i]
+            zones[Z.mass, a:b] = rho * volume(place[:-1], place[1:], geometry)
+            zones[Z.rho, a:b], zones[Z.e, a:b], zones[Z.c, a:b] = rho, e, c
             material = problem.materials[region.material]
             states = np.broadcast_arrays(rho, e) if material.burn is None else ()
             p = [pressure(*state, material.eos) for state in zip(*map(np.atleast_1d, states))] or reactive.start_region(material, region)[2]
@@ -181,18 +169,19 @@ def assemble(problem: Problem, starts):
             zones[Z.compaction, a:b] = [start_compaction(material.eos, *state) for state in zip(*map(np.atleast_1d, states))] or 0.0
             zones[Z.v, a:b] = 1.0 / rho
             zones[Z.width, a:b] = rho * np.diff(place)
-            r.append(place), u.append(start_velocities(region, place)), weight.append(mass)
-            bond.append(np.full(len(place), NO_LIMIT))
-        node_parts.append(_weld(problem, zones, body, ranges, r, u, weight, bond))
-        segments.append((ranges[body[0]][0], ranges[body[-1]][1], L.FREE, L.FREE))
-    segments = np.array(segments, dtype=np.int64)
+            u, first = start_velocities(region, place), a + k
+            nodes[H.r, first + 1:b + k + 1], nodes[H.u, first + 1:b + k + 1] = place[1:], u[1:]
+            if i == body[0]:
+                nodes[H.r, first], nodes[H.u, first] = place[0], u[0]
+            else:
+                nodes[H.u, first] = welded(zones, a - 1, a, nodes[H.u, first], u[0])
+                nodes[H.bond, first] = interface_bond(problem, problem.regions[i - 1], region)
+    segments = np.array([(ranges[body[0]][0], ranges[body[-1]][1], L.FREE, L.FREE) for body in bodies], dtype=np.int64)
     segments[0, L.SEG_LEFT], segments[-1, L.SEG_RIGHT] = CODES[problem.left.kind], CODES[problem.right.kind]
-    nodes = np.zeros((len(H), total + len(segments)))
-    nodes[[H.r, H.u, H.bond]] = np.concatenate(node_parts, axis=1)
     if problem.dimension > 1 and nodes[H.r, 0] == 0.0:
         segments[0, L.SEG_LEFT], nodes[H.u, 0] = L.FIXED, 0.0
     if problem.left.kind == "periodic":
-        weld_ends(zones, nodes)
+        nodes[H.u, [0, -1]] = welded(zones, 0, total - 1, nodes[H.u, 0], nodes[H.u, -1])
     zones[Z.inverse_mass] = 1.0 / zones[Z.mass]
     if burning_run:
         reactive.prepare(problem, zones, charge, [start[0] for start in starts], ranges)
@@ -200,36 +189,13 @@ def assemble(problem: Problem, starts):
     return table, charge, nodes, gradient, segments, ranges
 
 
-def _weld(problem, zones, body, ranges, r, u, weight, bond):
-    """Nodes of one body: shared faces move with the mean momentum, and the kinetic energy that loses heats the two zones."""
-    position, velocity, bonds = r[0].copy(), u[0].copy(), bond[0].copy()
-    for i in range(1, len(r)):
-        left, right = problem.regions[body[i - 1]], problem.regions[body[i]]
-        ml, mr = 0.5 * weight[i - 1][-1], 0.5 * weight[i][0]
-        jump = u[i][0] - velocity[-1]
-        velocity[-1] += mr / (ml + mr) * jump
-        heat = 0.5 * ml * mr / (ml + mr) * jump * jump
-        edge = ranges[body[i]][0]
-        zones[Z.e, edge - 1:edge + 1] += heat / (2.0 * (ml + mr))
-        bonds[-1] = interface_bond(problem, left, right)
-        position = np.concatenate((position, r[i][1:]))
-        velocity = np.concatenate((velocity, u[i][1:]))
-        bonds = np.concatenate((bonds, bond[i][1:]))
-    return np.stack((position, velocity, bonds))
-
-
 def boundary_end(problem: Problem, boundary: Boundary, field):
     """An end as the sweeps take it; its class says what is compiled."""
-    pulse, table = boundary_pulse(boundary)
+    pulse, table = history(boundary.pulse)
     kinds = problem.left.kind, problem.right.kind
     if "periodic" in kinds:
         return RingEnd(pulse, table, field, joined_seam(problem.regions), sum(region.zones for region in problem.regions) - 1)
     return (OpenEnd if "transmitting" in kinds else End)(pulse, table, field)
-
-
-def boundary_pulse(boundary: Boundary):
-    """(pulse numbers, table) of a boundary as the sweeps take them."""
-    return history(boundary.pulse)
 
 
 def history(pulse: Pulse | None):

@@ -85,19 +85,21 @@ def interface_table(segments, nodes):
     return np.concatenate([np.stack((inner, inner - k - 1), axis=1) for k, inner in enumerate(weak)])
 
 
-def node_masses(zones, segments):
-    """Half of each neighbouring zone's mass."""
-    mass = zones[Z.mass]
-    parts = []
-    for first, last, _, _ in segments:
-        half = 0.5 * mass[first:last]
-        parts.append(np.concatenate((half, [0.0])) + np.concatenate(([0.0], half)))
-    return np.concatenate(parts)
-
-
 def set_node_masses(zones, nodes, segments):
-    nodes[H.mass] = node_masses(zones, segments)
+    """Half of each neighbouring zone's mass."""
+    left, half = left_nodes(segments), 0.5 * zones[Z.mass]
+    nodes[H.mass] = 0.0
+    nodes[H.mass, left] += half
+    nodes[H.mass, left + 1] += half
     nodes[H.inverse_mass] = 1.0 / nodes[H.mass]
+
+
+def welded(zones, one, other, u_one, u_other):
+    """Velocity of two nodes that become one, with their mean momentum; the kinetic energy that loses heats zones `one` and `other`."""
+    left, right, jump = 0.5 * zones[Z.mass, one], 0.5 * zones[Z.mass, other], u_other - u_one
+    heat = 0.5 * left * right / (left + right) * jump * jump
+    zones[Z.e, [one, other]] += heat / (2.0 * (left + right))
+    return u_one + right / (left + right) * jump
 
 
 def split(zones, nodes, gradient, segments, node):

@@ -10,12 +10,10 @@ convergence of a flow that narrows towards the axis, which is no shock (Schulz, 
 Phys. 72 (1987) 78). Hence the q in H: it takes away what sigma, which multiplies the whole volume rate, has too much.
 """
 
-from collections import namedtuple
-
 from hugoniot.core.binder import bind
 from hugoniot.core.mathematics import NAN_LAW
 from hugoniot.core.ops import fmax, fmin
-from hugoniot.core.passes import kind_of, law_of, named, rows_apart, with_groups, zone_pass
+from hugoniot.core.passes import kind_of, law_of, named, rows_apart, zone_pass
 from hugoniot.mesh.line import area, hoops, mean_area, volume
 from hugoniot.solvers.lagrange1d.friction import acts, rub_end, rub_half
 from hugoniot.solvers.lagrange1d.sources import supply
@@ -27,17 +25,6 @@ from hugoniot.zones.viscosity import OWN, at_middle, resisted, resisting_speed, 
 
 SMALL = 1e-30
 
-HalfMotionRows = namedtuple("HalfMotionRows", "r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth")
-HalfStressRows = namedtuple("HalfStressRows", "r u inverse_mass solid v radial c p smooth t1 t2 speed q sigma hoop_force")
-EndMotionRows = namedtuple("EndMotionRows", "r_half u_mean r u gradient inverse_mass sigma hoop_force q e v rho radial hoop dilation heat "
-                           "viscous_work found")
-HalfHeatRows = namedtuple("HalfHeatRows", "q v radial heat")
-FluxRows = namedtuple("FluxRows", "r u lam q rho inverse_mass e flux")
-
-# of the end of a step; `seen` has density, pressure, sound speed and stress as well
-EndStressRows = with_groups(namedtuple("EndStressRows", "r solid_v shear c2 q t1 t2 speed inverse_mass s1 s2 hoop_force inverse_width "
-                            "seen"), seen=PeakRows)
-
 
 def shrinking(r1, r2, u1, u2, geometry):
     """Speed with which a zone closes along the motion, or shrinks, if that is more, m/s."""
@@ -47,11 +34,8 @@ def shrinking(r1, r2, u1, u2, geometry):
     return closing
 
 
-bind(shrinking)
-
-
 # -- passes of the geometry ----------------------------------------------------------------------------------------
-@zone_pass(HalfMotionRows)
+@zone_pass("r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth")
 def half_motion(count, z, dt, numbers, law):
     """Energy, density and strains in the middle of the step, from the stress at its start and the velocities led on to the middle."""
     rows_apart()
@@ -76,7 +60,7 @@ def half_motion(count, z, dt, numbers, law):
         z.smooth[j] = smoothness(z.gradient[j], z.gradient[j + 1], z.gradient[j + 2])
 
 
-@zone_pass(HalfStressRows)
+@zone_pass("r u inverse_mass solid v radial c p smooth t1 t2 speed q sigma hoop_force")
 def half_stress(count, z, dt, numbers, law):
     """Viscous pressure, and what pushes the nodes in the middle of the step; `law` is a `zones.viscosity.Resisting`."""
     rows_apart()
@@ -96,7 +80,7 @@ def half_stress(count, z, dt, numbers, law):
             z.hoop_force[j] = hoop_force(z.r[j], z.r[j + 1], z.t1[j], z.t2[j], q, geometry)
 
 
-@zone_pass(EndMotionRows)
+@zone_pass("r_half u_mean r u gradient inverse_mass sigma hoop_force q e v rho radial hoop dilation heat viscous_work found")
 def end_motion(count, z, dt, numbers, law):
     """Energy, density and strains at the end of the step, velocity gradients and viscous heat; the impulse of neighbouring sectors."""
     rows_apart()
@@ -146,9 +130,12 @@ def stand(z, j, geometry, constants):
 bind(stand, **NAN_LAW)
 
 
-@zone_pass(EndStressRows)
+@zone_pass("r solid_v shear c2 q t1 t2 speed inverse_mass s1 s2 hoop_force inverse_width seen", seen=PeakRows)
 def end_stress(count, z, dt, numbers, law):
-    """Sound speed and stress at the end of the step, to which something will be added; the largest signal rate, 1/s."""
+    """Sound speed and stress at the end of the step, to which something will be added; the largest signal rate, 1/s.
+
+    `seen` has density, pressure, sound speed and stress as well.
+    """
     rows_apart()
     geometry, constants, fastest = kind_of(law), named(Constants, numbers), z.seen.found[FOUND_RATE]
     for j in range(count):
@@ -156,7 +143,7 @@ def end_stress(count, z, dt, numbers, law):
     z.seen.found[FOUND_RATE] = fastest
 
 
-@zone_pass(EndStressRows, finite=False)
+@zone_pass(end_stress.rows, finite=False)
 def end_stress_seen(count, z, dt, numbers, law):
     """The same where nothing will, looked over at once (`zones.soundness.look_over`)."""
     rows_apart()
@@ -170,7 +157,7 @@ def end_stress_seen(count, z, dt, numbers, law):
     keep_peaks(count, z.seen, bad, new)
 
 
-@zone_pass(HalfHeatRows)
+@zone_pass("q v radial heat")
 def half_heat(count, z, dt, numbers, law):
     """Viscous heat of half a step, J/kg."""
     rows_apart()
@@ -178,7 +165,7 @@ def half_heat(count, z, dt, numbers, law):
         z.heat[j] = -z.q[j] * z.v[j] * z.radial[j]
 
 
-@zone_pass(FluxRows)
+@zone_pass("r u lam q rho inverse_mass e flux")
 def heat_flux(count, z, dt, numbers, law):
     """Artificial heat flux inside a run of zones, where a shock is: h rho w (e_left - e_right) through each face.
 
@@ -211,21 +198,21 @@ def heat_flux(count, z, dt, numbers, law):
 def predict(s, geometry):
     """Write how the stress in the middle of the step is found; s: `zones.steps.MaterialSteps` with the rows of `plan`."""
     z, b, h, w = s.at.z, s.at.b, s.at.h, s.at.w
-    s.do(half_motion, HalfMotionRows(h.r_half, h.u_mean, s.at.g, z.inverse_mass, z.e, z.sigma, z.hoop, w.e, w.v, s.rho_half, w.radial,
-                                     w.hoop, w.dilation, w.smooth), kind=geometry)
+    s.do(half_motion, (h.r_half, h.u_mean, s.at.g, z.inverse_mass, z.e, z.sigma, z.hoop, w.e, w.v, s.rho_half, w.radial, w.hoop, w.dilation,
+                       w.smooth), kind=geometry)
     supply(s, w.e, half=True)
     solid, solid_v = s.solid(s.rho_half)
     if s.laws.burns:
         s.burn(s.at.half, z.rho, z.rho, z.p, z.q, b.lam_half)
-        s.do(half_heat, HalfHeatRows(z.q, w.v, w.radial, w.heat))
+        s.do(half_heat, (z.q, w.v, w.radial, w.heat))
         s.close_half(solid)
     else:
         s.pressure(solid, solid_v, w.e, s.p_half)
     t1, t2 = deviators(s, geometry, solid, w.e, s.p_half, b.lam_half, s.at.half)
     s.relieve(solid)
     c = w.zero if s.laws.keeps_time else z.c      # no linear viscosity: it would compress what has no pressure yet, ahead of its schedule
-    s.do(half_stress, HalfStressRows(h.r_half, h.u_mean, z.inverse_mass, solid, w.v, w.radial, c, s.p_half, w.smooth, t1, t2,
-                                     z.viscous_speed, z.q, z.sigma_half, z.hoop_half), law=s.resisting(geometry))
+    s.do(half_stress, (h.r_half, h.u_mean, z.inverse_mass, solid, w.v, w.radial, c, s.p_half, w.smooth, t1, t2, z.viscous_speed, z.q,
+                       z.sigma_half, z.hoop_half), law=s.resisting(geometry))
     rub_half(s, geometry, solid)
     if s.laws.burns:
         s.keep_half()
@@ -234,8 +221,8 @@ def predict(s, geometry):
 def correct(s, geometry):
     """Write how the state at the end of the step is found."""
     z, b, h, w, found = s.at.z, s.at.b, s.at.h, s.at.w, s.at.found
-    s.do(end_motion, EndMotionRows(h.r_half, h.u_mean, h.r, h.u, s.at.g, z.inverse_mass, z.sigma_half, z.hoop_half, z.q, z.e, w.v, z.rho,
-                                   w.radial, w.hoop, w.dilation, w.heat, z.viscous_work, found), kind=geometry)
+    s.do(end_motion, (h.r_half, h.u_mean, h.r, h.u, s.at.g, z.inverse_mass, z.sigma_half, z.hoop_half, z.q, z.e, w.v, z.rho, w.radial,
+                      w.hoop, w.dilation, w.heat, z.viscous_work, found), kind=geometry)
     supply(s, z.e)
     solid, solid_v = s.solid(z.rho)
     if s.laws.burns:
@@ -245,8 +232,7 @@ def correct(s, geometry):
     t1, t2 = deviators(s, geometry, solid, z.e, z.p, b.lam, s.at.whole)
     s.tear(solid)
     s.harden(w.v)
-    rows = EndStressRows(h.r, solid_v, s.shear, w.c2, z.q, t1, t2, z.viscous_speed, z.inverse_mass, z.s1, z.s2, z.hoop, w.inverse_width,
-                         s.seen)
+    rows = (h.r, solid_v, s.shear, w.c2, z.q, t1, t2, z.viscous_speed, z.inverse_mass, z.s1, z.s2, z.hoop, w.inverse_width, s.seen)
     if s.laws.burns or acts(s):
         s.do(end_stress, rows, kind=geometry)
         rub_end(s, geometry, solid)

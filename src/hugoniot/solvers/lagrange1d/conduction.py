@@ -16,7 +16,6 @@ the energy equation with conduction: Herrmann 2.16 and 3.4.
 from typing import Any, NamedTuple
 
 import numba as nb
-import numpy as np
 
 from hugoniot.core.target import BY_ADDRESS
 from hugoniot.mesh.line import area
@@ -36,12 +35,6 @@ class Conduction(NamedTuple):
 
     rows: Any
     scratch: Any
-
-
-def conduction_of(conducts: bool, rows) -> Conduction:
-    """The arrays of a run whose materials have the transport `rows`."""
-    count = rows.shape[1] if conducts else 0
-    return Conduction(rows, np.zeros((5, count)))
 
 
 @nb.njit(**BY_ADDRESS)

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from hugoniot.core.binder import bind_choice
+from hugoniot.core.binder import only_if
 from hugoniot.core.ops import vpow
 
 AMOUNT, PER_RADIUS, EXPONENT = range(3)     # of the row `field`: acceleration now (m/s2), 1/R, n
@@ -14,15 +14,9 @@ class NoField(NamedTuple):
     none: int = 0
 
 
+@only_if(lambda field: field is not NoField, otherwise=0.0)
 def field_at(r, field):
     """Acceleration at r, m/s2; 0 on the axis and in the centre, where it has no direction."""
     if field[EXPONENT] == 0.0:
         return field[AMOUNT]
     return field[AMOUNT] * vpow(r * field[PER_RADIUS], field[EXPONENT]) if r > 0.0 else 0.0
-
-
-def _nowhere(r, field):
-    return 0.0
-
-
-bind_choice(field_at, lambda *classes: _nowhere if classes[-1] is NoField else field_at)

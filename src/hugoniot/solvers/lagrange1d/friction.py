@@ -10,8 +10,6 @@ half the time in which a zone's velocity spreads over its width.
 Source: Herrmann equations 3.1 to 3.5; Jordan chapter 2 (4/3 mu + zeta along the motion).
 """
 
-from collections import namedtuple
-
 from hugoniot.core.ops import fmax
 from hugoniot.core.passes import kind_of, rows_apart, zone_pass
 from hugoniot.mesh.line import area_per_radius, hoops, mean_area
@@ -19,16 +17,9 @@ from hugoniot.solvers.lagrange1d.stress import hoop_force, strains
 from hugoniot.zones.soundness import FOUND_RATE
 from hugoniot.zones.transport import find_viscosity
 
-FrictionRows = namedtuple("FrictionRows", "viscosity strain hoop_strain dilation radial around")
-PushRows = namedtuple("PushRows", "r radial around sigma hoop")
-PullRows = namedtuple("PullRows", "r radial around inverse_mass sigma pull")
-HastenRows = namedtuple("HastenRows", "viscosity v c speed inverse_width found")
-SlowRows = namedtuple("SlowRows", "r inverse_mass viscosity v speed")
-WorkRows = namedtuple("WorkRows", "radial around strain hoop_strain v given")
-
 
 # -- passes ------------------------------------------------------------------------------------------------------------
-@zone_pass(FrictionRows)
+@zone_pass("viscosity strain hoop_strain dilation radial around")
 def friction_pass(count, z, dt, numbers, law):
     """Viscous stresses; `numbers` are bulk ratio and bulk viscosity."""
     rows_apart()
@@ -40,7 +31,7 @@ def friction_pass(count, z, dt, numbers, law):
         z.around[j] = (2.0 * mu * (z.hoop_strain[j] - third) + whole) * per_time
 
 
-@zone_pass(PushRows)
+@zone_pass("r radial around sigma hoop")
 def push_pass(count, z, dt, numbers, law):
     """What pushes the nodes, with the viscous stress."""
     rows_apart()
@@ -51,7 +42,7 @@ def push_pass(count, z, dt, numbers, law):
             z.hoop[j] += hoop_force(z.r[j], z.r[j + 1], z.radial[j], z.around[j], 0.0, geometry)
 
 
-@zone_pass(PullRows)
+@zone_pass("r radial around inverse_mass sigma pull")
 def pull_pass(count, z, dt, numbers, law):
     """The same of the leapfrog."""
     rows_apart()
@@ -63,7 +54,7 @@ def pull_pass(count, z, dt, numbers, law):
             z.pull[j] += (z.radial[j] - z.around[j]) * dr * z.inverse_mass[j] * area_per_radius(z.r[j], z.r[j + 1], geometry)
 
 
-@zone_pass(HastenRows)
+@zone_pass("viscosity v c speed inverse_width found")
 def hasten_pass(count, z, dt, numbers, law):
     """The largest signal rate with the physical viscosity, whose kinematic one over a zone's width is a speed as the artificial's."""
     rows_apart()
@@ -74,7 +65,7 @@ def hasten_pass(count, z, dt, numbers, law):
     z.found[FOUND_RATE] = fastest
 
 
-@zone_pass(SlowRows)
+@zone_pass("r inverse_mass viscosity v speed")
 def slow_pass(count, z, dt, numbers, law):
     """That speed added to the artificial viscosity's, from which the leapfrog finds its step."""
     rows_apart()
@@ -84,7 +75,7 @@ def slow_pass(count, z, dt, numbers, law):
         z.speed[j] += ((4.0 / 3.0 + ratio) * z.viscosity[j] + bulk) * z.v[j] * inverse_width
 
 
-@zone_pass(WorkRows)
+@zone_pass("radial around strain hoop_strain v given")
 def work_pass(count, z, dt, numbers, law):
     """Work of the viscous stresses over the strains of a step, J/kg."""
     rows_apart()
@@ -103,7 +94,7 @@ def _strained(s, geometry, rho, e, step):
     """Write the viscous stresses of the strains of a time `step`, at density and energy `rho`, `e`."""
     t, w = s.at.t, s.at.w
     find_viscosity(s, rho, e)
-    s.do(friction_pass, FrictionRows(t.viscosity, w.radial, *strains(s, geometry), t.radial, t.around), step, numbers=s.at.bulk)
+    s.do(friction_pass, (t.viscosity, w.radial, *strains(s, geometry), t.radial, t.around), step, numbers=s.at.bulk)
 
 
 def rub_half(s, geometry, solid) -> None:
@@ -111,7 +102,7 @@ def rub_half(s, geometry, solid) -> None:
     if acts(s):
         z, t = s.at.z, s.at.t
         _strained(s, geometry, solid, s.at.w.e, s.at.half)
-        s.do(push_pass, PushRows(s.at.h.r_half, t.radial, t.around, z.sigma_half, z.hoop_half), kind=geometry)
+        s.do(push_pass, (s.at.h.r_half, t.radial, t.around, z.sigma_half, z.hoop_half), kind=geometry)
 
 
 def rub_end(s, geometry, solid) -> None:
@@ -119,8 +110,8 @@ def rub_end(s, geometry, solid) -> None:
     if acts(s):
         z, t, w = s.at.z, s.at.t, s.at.w
         _strained(s, geometry, solid, z.e, s.at.whole)
-        s.do(push_pass, PushRows(s.at.h.r, t.radial, t.around, z.sigma, z.hoop), kind=geometry)
-        s.do(hasten_pass, HastenRows(t.viscosity, w.v, z.c, z.viscous_speed, w.inverse_width, s.at.found), numbers=s.at.bulk)
+        s.do(push_pass, (s.at.h.r, t.radial, t.around, z.sigma, z.hoop), kind=geometry)
+        s.do(hasten_pass, (t.viscosity, w.v, z.c, z.viscous_speed, w.inverse_width, s.at.found), numbers=s.at.bulk)
 
 
 def rub_leaping(s, geometry) -> None:
@@ -128,12 +119,12 @@ def rub_leaping(s, geometry) -> None:
     if acts(s):
         z, h, t, w = s.at.z, s.at.h, s.at.t, s.at.w
         _strained(s, geometry, w.rho, z.e, s.at.whole)
-        s.do(work_pass, WorkRows(t.radial, t.around, w.radial, strains(s, geometry)[0], w.v_half, w.given), kind=geometry)
-        s.do(slow_pass, SlowRows(h.r, z.inverse_mass, t.viscosity, w.v, w.speed), kind=geometry, numbers=s.at.bulk)
+        s.do(work_pass, (t.radial, t.around, w.radial, strains(s, geometry)[0], w.v_half, w.given), kind=geometry)
+        s.do(slow_pass, (h.r, z.inverse_mass, t.viscosity, w.v, w.speed), kind=geometry, numbers=s.at.bulk)
 
 
 def rub_leapt(s, geometry) -> None:
     """Write what the viscous stress adds to what moves the nodes next."""
     if acts(s):
         z, t = s.at.z, s.at.t
-        s.do(pull_pass, PullRows(s.at.h.r, t.radial, t.around, z.inverse_mass, z.sigma, z.pull), kind=geometry)
+        s.do(pull_pass, (s.at.h.r, t.radial, t.around, z.inverse_mass, z.sigma, z.pull), kind=geometry)

@@ -46,18 +46,20 @@ def advance(s, geometry):
     if s.laws.burns:
         s.copy(z.q, w.q)
     if s.laws.is_bare:
-        s.do(P.look_around, P.LookRows(h.r, h.u, h.mass, z.mass, w.smooth))
+        s.do(P.look_around, (h.r, h.u, h.mass, z.mass, w.smooth))
     # the P of the viscosity's a = sqrt(P/rho) is the one at the start of the step
     c, p, smooth = (w.zero, w.zero, w.smooth) if s.laws.is_bare else (z.c, z.p, w.zero)
-    s.do(P.whole_motion, P.MotionRows(h.r, h.u, z.inverse_mass, c, p, smooth, z.v, z.q, z.viscous_work, w.dv, w.v_half, w.rho, z.rho,
-                                      w.radial, w.hoop, w.dilation, w.speed, w.printed, w.given), law=s.resisting(geometry))
+    s.do(P.whole_motion, (h.r, h.u, z.inverse_mass, c, p, smooth, z.v, z.q, z.viscous_work, w.dv, w.v_half, w.rho, z.rho, w.radial, w.hoop,
+                          w.dilation, w.speed, w.printed, w.given), law=s.resisting(geometry))
     solid, solid_v = s.solid(z.rho)
     s.stiffness(solid, solid_v, z.e, z.p)
     if s.laws.burns_at_once:
-        s.do(P.heat_before, P.HeatRows(w.q, w.dv, w.given, z.viscous_work))
+        s.do(P.heat_before, (w.q, w.dv, w.given, z.viscous_work))
     elif s.laws.burns:
         s.copy(w.given, w.heat)
-    strain(s, geometry, solid)
+    if s.laws.is_strong:
+        s.do(P.strain_and_work, (s.asked(solid, z.e, z.p, s.at.b.lam), z.s1, z.s2, w.radial, *strains(s, geometry), w.v_half, w.shear,
+                                 w.limit, w.flow, w.given), law=s.strong(geometry))
     if s.laws.burns:
         s.copy(z.e, w.target)
         s.add(w.given, w.target)
@@ -68,31 +70,22 @@ def advance(s, geometry):
         s.settle(solid_v)
     s.tear(solid)
     if s.laws.grows_voids:
-        s.do(P.take_relief, P.ReliefRows(w.relief, w.dv, z.e))
+        s.do(P.take_relief, (w.relief, w.dv, z.e))
     s.harden(w.v_half)
     stand(s, geometry)
     find_conductivity(s, solid)
-
-
-def strain(s, geometry, solid):
-    """Write the deviators at n+1 and their work."""
-    z, w = s.at.z, s.at.w
-    if s.laws.is_strong:
-        s.do(P.strain_and_work, P.StrainRows(s.asked(solid, z.e, z.p, s.at.b.lam), z.s1, z.s2, w.radial, *strains(s, geometry), w.v_half,
-                                             w.shear, w.limit, w.flow, w.given), law=s.strong(geometry))
 
 
 def stand(s, geometry):
     """Write sound speed and stress at n+1, and look them over."""
     z, h, w = s.at.z, s.at.h, s.at.w
     if s.laws.burns_at_once:
-        s.do(P.end_stress_at_once, P.AtOnceRows(h.r, h.u, z.inverse_mass, z.v, w.dv, w.c2, s.shear, z.s1, z.s2, z.q, z.pull, z.width,
-                                                w.inverse_width, place(s.constants), s.seen), law=s.resisting(geometry))
+        s.do(P.end_stress_at_once, (h.r, h.u, z.inverse_mass, z.v, w.dv, w.c2, s.shear, z.s1, z.s2, z.q, z.pull, z.width, w.inverse_width,
+                                    place(s.constants), s.seen), law=s.resisting(geometry))
     else:
         later = s.laws.burns or acts(s)
-        s.do(P.end_stress if later else P.end_stress_seen,
-             P.StressRows(h.r, z.inverse_mass, z.v, w.c2, s.shear, z.s1, z.s2, z.q, w.speed, w.printed, z.pull, z.width, w.inverse_width,
-                          s.seen), kind=geometry)
+        s.do(P.end_stress if later else P.end_stress_seen, (h.r, z.inverse_mass, z.v, w.c2, s.shear, z.s1, z.s2, z.q, w.speed, w.printed,
+                                                            z.pull, z.width, w.inverse_width, s.seen), kind=geometry)
     rub_leapt(s, geometry)
     s.pace(w.inverse_width)
     if s.laws.burns or acts(s):
@@ -105,16 +98,16 @@ def close_gradually(s, solid):
     s.add_plastic_heat(w.v_half, w.heat)
     s.burn(s.at.whole, w.rho, z.rho, z.p, w.q, w.lam)
     s.share_old_heat(w.heat)
-    s.do(P.after_work, P.WorkRows(w.target, z.p, z.p, w.dv, w.e))
+    s.do(P.after_work, (w.target, z.p, z.p, w.dv, w.e))
     s.mix(solid, w.e, w.lam, b.heat, w.p, b.status)
-    s.do(P.mean, P.MeanRows(z.p, w.p, b.p_half))
+    s.do(P.mean, (z.p, w.p, b.p_half))
     s.burn(s.at.whole, w.rho, z.rho, b.p_half, z.q, b.lam_half)
     s.share_heat(z.q, b.p_half, w.rho, w.heat)
     s.lead_on(b.lam_half)
-    s.do(P.after_work, P.WorkRows(w.target, z.p, w.p, w.dv, z.e))
+    s.do(P.after_work, (w.target, z.p, w.p, w.dv, z.e))
     s.mix(solid, z.e, b.lam, b.heat, b.p_half, w.status)
     s.slopes(solid, z.e, b.lam, b.p_half)
-    s.do(P.newton_step, P.NewtonRows(w.p, b.p_half, w.dv, w.p_e, z.e, z.p, w.e_r, w.e_p))
+    s.do(P.newton_step, (w.p, b.p_half, w.dv, w.p_e, z.e, z.p, w.e_r, w.e_p))
     s.slopes(solid, z.e, b.lam, z.p, slopes_pass)
     s.keep_phases()
 
@@ -122,9 +115,9 @@ def close_gradually(s, solid):
 def close_at_once(s, solid):
     """Write the step of the KB codes: mixture at n+1."""
     z, b, w = s.at.z, s.at.b, s.at.w
-    s.do(P.after_work, P.WorkRows(w.target, z.p, z.p, w.dv, w.e))
+    s.do(P.after_work, (w.target, z.p, z.p, w.dv, w.e))
     s.mix(solid, w.e, b.lam, w.zero, w.p, b.status)
-    s.do(P.after_work, P.WorkRows(w.target, z.p, w.p, w.dv, z.e))
+    s.do(P.after_work, (w.target, z.p, w.p, w.dv, z.e))
     s.mix(solid, z.e, b.lam, w.zero, b.p_half, w.status)
     s.burn(s.at.whole, solid, solid, b.p_half, w.q, w.lam)
     s.share_heat(w.q, b.p_half, solid, w.zero)

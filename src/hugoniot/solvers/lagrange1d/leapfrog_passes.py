@@ -3,12 +3,10 @@
 Source: Wilkins B.2 items 2 and 5 to 9; KB codes equations 1.8 to 1.11; the step and its corrections in `leapfrog`.
 """
 
-from collections import namedtuple
-
 from hugoniot.core.binder import bind
 from hugoniot.core.mathematics import NAN_LAW
 from hugoniot.core.ops import fmax, vsqrt
-from hugoniot.core.passes import kind_of, law_of, named, rows_apart, with_groups, zone_pass
+from hugoniot.core.passes import kind_of, law_of, named, rows_apart, zone_pass
 from hugoniot.mesh.line import area_per_radius, hoops, mean_area, volume
 from hugoniot.solvers.lagrange1d.stress import strained
 from hugoniot.zones.constants import Constants
@@ -19,22 +17,6 @@ from hugoniot.zones.viscosity import resisted, resisting_speed, smoothness
 SMALL = 1e-30
 # weights of c2 and w2 in `signal_squared`; 4/9 is the Courant factor 2/3 of W-7 squared, which this limit does not need as well
 SOUND_SHARE, VISCOUS_SHARE = 4.0 / 9.0 * (1.0 + 1.0 / 1.55), 4.0 / 9.0 * 5.5
-
-MotionRows = namedtuple("MotionRows", "r u inverse_mass c p smooth v q viscous_work dv v_half rho_half rho radial hoop dilation speed "
-                        "printed given")
-HeatRows = namedtuple("HeatRows", "q dv given viscous_work")
-LookRows = namedtuple("LookRows", "r u node_mass mass smooth")
-ReliefRows = namedtuple("ReliefRows", "relief dv e")
-MeanRows = namedtuple("MeanRows", "one other mean")
-WorkRows = namedtuple("WorkRows", "target p_start p_end dv e")
-NewtonRows = namedtuple("NewtonRows", "expected led dv p_e e p e_r e_p")
-
-StrainRows = with_groups(namedtuple("StrainRows", "solid s1 s2 radial hoop dilation v_half shear limit flow given"), solid=Solid)
-# of the end of a step; `seen` has density, pressure, sound speed and stress as well
-StressRows = with_groups(namedtuple("StressRows", "r inverse_mass v c2 shear s1 s2 q speed printed pull width inverse_width seen"),
-                         seen=PeakRows)
-AtOnceRows = with_groups(namedtuple("AtOnceRows", "r u inverse_mass v dv c2 shear s1 s2 q pull width inverse_width constants seen"),
-                         seen=PeakRows)
 
 
 def signal_squared(c2, printed, viscous):
@@ -54,11 +36,8 @@ def signal_squared(c2, printed, viscous):
     return fmax(sound + printed * printed, SOUND_SHARE * sound + VISCOUS_SHARE * viscous * viscous)
 
 
-bind(signal_squared)
-
-
 # -- passes of the geometry ----------------------------------------------------------------------------------------
-@zone_pass(MotionRows)
+@zone_pass("r u inverse_mass c p smooth v q viscous_work dv v_half rho_half rho radial hoop dilation speed printed given")
 def whole_motion(count, z, dt, numbers, law):
     """Specific volume at n+1, its change, mean density and strains of the step; viscous pressure q at n+1/2, and its heat into `given`.
 
@@ -100,7 +79,7 @@ def whole_motion(count, z, dt, numbers, law):
         z.viscous_work[j] += heat
 
 
-@zone_pass(StrainRows)
+@zone_pass("solid s1 s2 radial hoop dilation v_half shear limit flow given", solid=Solid)
 def strain_and_work(count, z, dt, numbers, law):
     """Deviators at n+1 and their work dZ, added to `given`; `law` is a `zones.strength.Strong`."""
     rows_apart()
@@ -118,7 +97,7 @@ def strain_and_work(count, z, dt, numbers, law):
         z.flow[j] = flow
 
 
-@zone_pass(HeatRows)
+@zone_pass("q dv given viscous_work")
 def heat_before(count, z, dt, numbers, law):
     """The heat of the viscous pressure that moved the nodes in the place of that of the step (KB codes)."""
     rows_apart()
@@ -148,9 +127,9 @@ def stand(z, j, geometry, constants):
     return signal_squared(fmax(c2, constants.front * constants.front), z.printed[j], z.speed[j]) * (inverse_width * inverse_width)
 
 
-@zone_pass(StressRows)
+@zone_pass("r inverse_mass v c2 shear s1 s2 q speed printed pull width inverse_width seen", seen=PeakRows)
 def end_stress(count, z, dt, numbers, law):
-    """Sound speed and stress at n+1, to which something will be added; the largest signal rate, 1/s."""
+    """Sound speed and stress at n+1, to which something will be added; the largest signal rate, 1/s; `seen` as in `compatible`."""
     rows_apart()
     geometry, constants, fastest = kind_of(law), named(Constants, numbers), 0.0
     for j in range(count):
@@ -158,7 +137,7 @@ def end_stress(count, z, dt, numbers, law):
     z.seen.found[FOUND_RATE] = fmax(z.seen.found[FOUND_RATE], vsqrt(fastest))
 
 
-@zone_pass(StressRows, finite=False)
+@zone_pass(end_stress.rows, finite=False)
 def end_stress_seen(count, z, dt, numbers, law):
     """The same where nothing will, looked over at once (`zones.soundness.look_over`)."""
     rows_apart()
@@ -172,7 +151,7 @@ def end_stress_seen(count, z, dt, numbers, law):
     keep_peaks(count, z.seen, bad, new)
 
 
-@zone_pass(AtOnceRows)
+@zone_pass("r u inverse_mass v dv c2 shear s1 s2 q pull width inverse_width constants seen", seen=PeakRows)
 def end_stress_at_once(count, z, dt, numbers, law):
     """The same of the KB codes' step: its viscous pressure is that of n+1. `law` is a `zones.viscosity.Resisting`."""
     rows_apart()
@@ -190,7 +169,7 @@ def end_stress_at_once(count, z, dt, numbers, law):
     z.seen.found[FOUND_RATE] = fastest
 
 
-@zone_pass(LookRows)
+@zone_pass("r u node_mass mass smooth")
 def look_around(count, z, dt, numbers, law):
     """Smoothness of the velocity field in every zone; beyond an end of its body the field goes on as inside."""
     rows_apart()
@@ -202,7 +181,7 @@ def look_around(count, z, dt, numbers, law):
         z.smooth[j] = smoothness(left, own, right)
 
 
-@zone_pass(ReliefRows)
+@zone_pass("relief dv e")
 def take_relief(count, z, dt, numbers, law):
     """The energy that the relieved part of the pressure did not give."""
     rows_apart()
@@ -210,7 +189,7 @@ def take_relief(count, z, dt, numbers, law):
         z.e[j] -= 0.5 * z.relief[j] * z.dv[j]
 
 
-@zone_pass(MeanRows)
+@zone_pass("one other mean")
 def mean(count, z, dt, numbers, law):
     """Mean of two rows."""
     rows_apart()
@@ -218,7 +197,7 @@ def mean(count, z, dt, numbers, law):
         z.mean[j] = 0.5 * (z.one[j] + z.other[j])
 
 
-@zone_pass(WorkRows)
+@zone_pass("target p_start p_end dv e")
 def after_work(count, z, dt, numbers, law):
     """Energy after the work of the mean pressure."""
     rows_apart()
@@ -226,7 +205,7 @@ def after_work(count, z, dt, numbers, law):
         z.e[j] = z.target[j] - 0.5 * (z.p_start[j] + z.p_end[j]) * z.dv[j]
 
 
-@zone_pass(NewtonRows)
+@zone_pass("expected led dv p_e e p e_r e_p")
 def newton_step(count, z, dt, numbers, law):
     """From the pressure expected, p', and the one it led to, p'', to that which agrees with its own work."""
     rows_apart()

@@ -1,12 +1,11 @@
 """Motion of the nodes of one segment by both integrators, and what the boundaries do."""
 
 import math
-from collections import namedtuple
 from typing import Any, NamedTuple
 
 import numba as nb
 
-from hugoniot.core.binder import bind_choice
+from hugoniot.core.binder import only_if
 from hugoniot.core.passes import kind_of, rows_apart, zone_pass
 from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.mesh.line import area, hoops
@@ -16,13 +15,9 @@ from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.ring import ring_pull
 from hugoniot.solvers.lagrange1d.transmitting import follow, settle
 
-DriftRows = namedtuple("DriftRows", "r u u_mean r_half")
-MoveRows = namedtuple("MoveRows", "sigma hoop r_half inverse_mass u u_mean r")
-LeapRows = namedtuple("LeapRows", "sigma pull width inverse_mass u r")
-
 
 # -- inner nodes: `count` of them from the second of the node rows on; zone rows begin with the zone on the left of the first ---------
-@zone_pass(DriftRows)
+@zone_pass("r u u_mean r_half")
 def drift(count, z, dt, numbers, law):
     """Nodes, ends included, in the middle of the step: positions by the velocities at its start, and those velocities led on there by the
     acceleration of the step before. dt is half the step; `numbers` its ratio to the one before."""
@@ -34,7 +29,7 @@ def drift(count, z, dt, numbers, law):
         z.u_mean[j] = u + ahead * (u - z.u_mean[j])
 
 
-@zone_pass(MoveRows)
+@zone_pass("sigma hoop r_half inverse_mass u u_mean r")
 def move(count, z, dt, numbers, law):
     """Velocity and position at the end of the step from the stresses in its middle."""
     rows_apart()
@@ -51,7 +46,7 @@ def move(count, z, dt, numbers, law):
         z.r[j + 1] += dt * mean
 
 
-@zone_pass(LeapRows)
+@zone_pass("sigma pull width inverse_mass u r")
 def leap(count, z, dt, numbers, law):
     """Leapfrog: velocity to n+1/2 and position to n+1 (B.2 item 2); `numbers` is the mean time step."""
     rows_apart()
@@ -78,12 +73,8 @@ class End(NamedTuple):
     field: Any
 
 
-class OpenEnd(NamedTuple):
+class OpenEnd(End):
     """The same, of a run that has a transmitting end."""
-
-    pulse: Any
-    table: Any
-    field: Any
 
 
 # -- boundaries --------------------------------------------------------------------------------------------------------
@@ -157,34 +148,18 @@ def add_impulse(control, account, impulse):
     control[account] = after
 
 
+@only_if(lambda boundary: boundary is OpenEnd)
 def answer(zones, control, zone, end, dt, boundary):
     """`transmitting.follow`, in a run that has such an end."""
-
-
-def hold(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
-    """`transmitting.settle`, in a run that has such an end."""
-
-
-def _answer(zones, control, zone, end, dt, boundary):
     inward = 1 if end == L.END_LEFT else -1
     follow(control[end:end + L.END_FLOATS], zones, (Z.sigma, Z.rho, Z.q), zone, inward, zones[Z.rho, zone] * zones[Z.c, zone],
            zones[Z.mass, zone], dt)
 
 
-def _hold(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
+@only_if(lambda boundary: boundary is OpenEnd)
+def hold(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
+    """`transmitting.settle`, in a run that has such an end."""
     settle(zones, nodes, control, ends, end, faster, dt, geometry)
-
-
-def _nothing(zones, control, zone, end, dt, boundary):
-    pass
-
-
-def _nothing_held(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
-    pass
-
-
-bind_choice(answer, lambda *classes: _answer if classes[-1] is OpenEnd else _nothing)
-bind_choice(hold, lambda *classes: _hold if classes[-1] is OpenEnd else _nothing_held)
 
 
 @nb.njit(**BY_ADDRESS)

@@ -33,7 +33,7 @@ DT, DT_MEAN, DT_HALF, AHEAD = range(4)                                 # of the 
 
 
 class LineRows(NamedTuple):
-    """Rows of a piece of zones: those of `zones.steps.Rows`, its nodes h, and velocity gradients g from the left neighbour's on.
+    """Rows of a piece of zones: those of `zones.steps.MaterialSteps`, its nodes h, and velocity gradients g from the left neighbour's on.
 
     t           rows of `zones.transport`, of a material with the laws `transport`; `bulk` its numbers of bulk viscosity
     supplied    (weights of the zones, amounts) of every heat source of the material
@@ -110,7 +110,7 @@ class Planner:
                     for w, seen in zip(scratches, self.seen)]
         self._heat_flux = heat_flux
         self.written, self._ends = EMPTY.written, {}
-        self._lists = dict(self._of_materials()) | dict(self._of_nodes()) | dict(self._of_heat())
+        self._lists = dict(self._of_materials()) | dict(self._of_motion())
 
     def jobs(self) -> list[Job]:
         """What has yet to be compiled for the plan."""
@@ -127,35 +127,24 @@ class Planner:
                         add(steps, self.geometry)
                         yield (command, k, member, intact), steps.operations
 
-    def _of_nodes(self):
-        """((command, 0, 0, False), list) of every motion of nodes."""
-        z, h, forced = self._at[0].z, self._at[0].h, self.terms.forced
-        mean, field = place(self.dts[DT_MEAN:]), self.terms.force.field
+    def _of_motion(self):
+        """((command, k, 0, False), list) of every motion of nodes, and of the artificial heat flux where nothing burns (k = 0) and does."""
+        at, dts, geometry, field = self._at[0], self.dts, self.geometry, self.terms.force.field
+        z, h = at.z, at.h
         if self.staggered:
-            steps = [Operation(nodes.leap, self.geometry, nodes.LeapRows(z.sigma, z.pull, z.width, h.inverse_mass, h.u, h.r),
-                               self.dts[DT_MEAN:], self._at[0].whole)]
-            if forced:
-                steps.insert(0, Operation(sources.kick, None, sources.KickRows(h.r, h.u), field, mean))
-            yield (LEAP, 0, 0, False), steps
+            kick = Operation(sources.kick, None, (h.r, h.u), field, place(dts[DT_MEAN:]))
+            leap = Operation(nodes.leap, geometry, (z.sigma, z.pull, z.width, h.inverse_mass, h.u, h.r), dts[DT_MEAN:], at.whole)
+            yield (LEAP, 0, 0, False), [kick, leap] if self.terms.forced else [leap]
             return
-        drifted = nodes.DriftRows(h.r, h.u, h.u_mean, h.r_half)
-        yield (DRIFT, 0, 0, False), [Operation(nodes.drift, None, drifted, self.dts[AHEAD:], self._at[0].half)]
-        rows = nodes.MoveRows(z.sigma_half, z.hoop_half, h.r_half, h.inverse_mass, h.u, h.u_mean, h.r)
-        steps = [Operation(nodes.move, self.geometry, rows, self.dts, self._at[0].whole)]
-        if forced:
-            steps.append(Operation(sources.fall, None, sources.FallRows(h.r_half, h.u, h.u_mean, h.r), field, self._at[0].whole))
-        yield (MOVE, 0, 0, False), steps
-
-    def _of_heat(self):
-        """((FLOW, whether it burns, 0, False), list) of the artificial heat flux."""
-        if self.staggered or not self._heat_flux > 0.0:
-            return
-        at = self._at[0]
-        z, b, h = at.z, at.b, at.h
-        rows = compatible.FluxRows(h.r_half, h.u_mean, b.lam, z.q, z.rho, z.inverse_mass, z.e, z.face_flux)
-        for burns in (0, 1):
-            numbers = np.array([self._heat_flux, burns])
-            yield (FLOW, burns, 0, False), [Operation(compatible.heat_flux, self.geometry, rows, numbers, at.whole)]
+        yield (DRIFT, 0, 0, False), [Operation(nodes.drift, None, (h.r, h.u, h.u_mean, h.r_half), dts[AHEAD:], at.half)]
+        moved = (z.sigma_half, z.hoop_half, h.r_half, h.inverse_mass, h.u, h.u_mean, h.r)
+        move = Operation(nodes.move, geometry, moved, dts, at.whole)
+        fall = Operation(sources.fall, None, (h.r_half, h.u, h.u_mean, h.r), field, at.whole)
+        yield (MOVE, 0, 0, False), [move, fall] if self.terms.forced else [move]
+        if self._heat_flux > 0.0:
+            flux = (h.r_half, h.u_mean, at.b.lam, z.q, z.rho, z.inverse_mass, z.e, z.face_flux)
+            for k in (0, 1):
+                yield (FLOW, k, 0, False), [Operation(compatible.heat_flux, geometry, flux, np.array([self._heat_flux, k]), at.whole)]
 
     def plan(self, runs, spans, ranges) -> Plan:
         """The plan for runs (first, last, segment, material), spans of nodes (first, last, segment) and ranges between which heat flows
@@ -167,15 +156,10 @@ class Planner:
         # as many zones as there are nodes: inside a span, and with its ends
         inner, every = ([(first, last + more, segment, 0) for first, last, segment in spans.tolist()] for more in (-1, 1))
         shares, commands = [], np.zeros((COMMANDS, 2), dtype=np.int64)
-        known = {command for command, *_ in self._ends}
-        for command in range(COMMANDS):
-            rows = runs.tolist() if command in (PREDICT, CORRECT, ADVANCE) else ranges.tolist() if command == FLOW else \
-                every if command == DRIFT else inner
-            if command not in known:
-                rows = []
+        of_zones, stretches = runs.tolist(), {DRIFT: every, MOVE: inner, LEAP: inner, FLOW: ranges.tolist()}
+        for command in {command for command, *_ in self._ends}:
+            rows, scratch, finds = stretches.get(command, of_zones), command not in stretches, command in (CORRECT, ADVANCE)
             commands[command] = len(shares), len(shares) + len(rows)
-            finds = command in (CORRECT, ADVANCE)
-            scratch = finds or command == PREDICT
             for i, (first, last, segment, k) in enumerate(rows):
                 which = command, k, i % self.team.threads if scratch else 0
                 ends = self._ends[*which, False]

@@ -22,7 +22,7 @@ def unphysical(solver, code: int) -> UnphysicalState:
     culprit = max(first_unsound(zones[Z.rho], zones[Z.c], zones[Z.sigma]), 0)
     left, right = solver.faces(H.r)
     if code == L.STEP_COLLAPSED:
-        culprit = int(np.argmin((right - left) / np.maximum(zones[Z.c], 1e-30)))
+        culprit, _ = solver.limiting()
     crushed = crushed_zone(problem, zones, solver.region_of, culprit)
     culprit = crushed[0] if crushed else culprit
     values = {name: float(zones[row, culprit]) for name, row in solver.zone_fields.items()}

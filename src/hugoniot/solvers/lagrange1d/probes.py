@@ -69,17 +69,12 @@ def _place(solver, place):
 
 def _point(solver, z, f):
     other = z + 1 if f >= 0.5 else z - 1
-    if not _same_piece(solver, z, other):
+    if not 0 <= other < solver.zones.shape[1] or solver.region_of[z] != solver.region_of[other] \
+            or _segment(solver, z) != _segment(solver, other):
         return z, z, z, 0.0, f
     mass = solver.zones[Z.mass]
     w = abs(f - 0.5) * mass[z] / (0.5 * (mass[z] + mass[other]))
     return z, other, z, w, f
-
-
-def _same_piece(solver, a, b):
-    if not 0 <= b < solver.zones.shape[1] or solver.region_of[a] != solver.region_of[b]:
-        return False
-    return _segment(solver, a) == _segment(solver, b)
 
 
 def _named(solver, at):

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numba as nb
 
-from hugoniot.core.binder import bind_choice
+from hugoniot.core.binder import only_if
 from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.field import field_at
@@ -26,26 +26,22 @@ class RingEnd(NamedTuple):
     last: int
 
 
+def _rings(boundary) -> bool:
+    return boundary is RingEnd
+
+
+@only_if(_rings, otherwise=0.0)
 def ring_pull(zones, nodes, control, middle, boundary):
     """Acceleration of the joined end, m/s2, from the stresses in the middle of the step or at its start; 0 in other runs."""
-
-
-def seam_flux(zones, nodes, control, dt, boundary):
-    """Artificial heat through the seam in a step, J, before the other zones mix (`compatible.heat_flux`)."""
-
-
-def mix_seam(zones, flux, boundary):
-    """That heat taken from the last zone and given to the first."""
-
-
-def _pull(zones, nodes, control, middle, boundary):
     first, last = nodes[H.mass, 0], nodes[H.mass, int(control[L.LAST_NODE])]
     end = boundary.last
     push = (zones[Z.sigma_half, end] - zones[Z.sigma_half, 0]) if middle else (zones[Z.sigma, end] - zones[Z.sigma, 0])
     return push / (first + last) + field_at(nodes[H.r, 0], boundary.field)
 
 
-def _flux(zones, nodes, control, dt, boundary):
+@only_if(_rings, otherwise=0.0)
+def seam_flux(zones, nodes, control, dt, boundary):
+    """Artificial heat through the seam in a step, J, before the other zones mix (`compatible.heat_flux`)."""
     end, last = boundary.last, int(control[L.LAST_NODE])
     left = nodes[H.u_mean, last - 1] - nodes[H.u_mean, last] if zones[Z.q, end] > 0.0 else 0.0
     right = nodes[H.u_mean, 0] - nodes[H.u_mean, 1] if zones[Z.q, 0] > 0.0 else 0.0
@@ -53,27 +49,12 @@ def _flux(zones, nodes, control, dt, boundary):
     return dt * control[L.HEAT_FLUX] * face * max(left, right) * (zones[Z.e, end] - zones[Z.e, 0])
 
 
-def _mix(zones, flux, boundary):
+@only_if(_rings)
+def mix_seam(zones, flux, boundary):
+    """That heat taken from the last zone and given to the first."""
     end = boundary.last
     zones[Z.e, end] -= flux * zones[Z.inverse_mass, end]
     zones[Z.e, 0] += flux * zones[Z.inverse_mass, 0]
-
-
-def _no_pull(zones, nodes, control, middle, boundary):
-    return 0.0
-
-
-def _no_flux(zones, nodes, control, dt, boundary):
-    return 0.0
-
-
-def _no_mix(zones, flux, boundary):
-    pass
-
-
-bind_choice(ring_pull, lambda *classes: _pull if classes[-1] is RingEnd else _no_pull)
-bind_choice(seam_flux, lambda *classes: _flux if classes[-1] is RingEnd else _no_flux)
-bind_choice(mix_seam, lambda *classes: _mix if classes[-1] is RingEnd else _no_mix)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -83,15 +64,6 @@ def ring_ghosts(gradient, segments):
         last = segments.shape[0] - 1
         end = segments[last, L.SEG_LAST] + 2 * last + 1
         gradient[0], gradient[end] = gradient[end - 1], gradient[1]
-
-
-def weld_ends(zones, nodes) -> None:
-    """The two end nodes move with their mean momentum; the kinetic energy that loses heats the two zones."""
-    left, right = 0.5 * zones[Z.mass, 0], 0.5 * zones[Z.mass, -1]
-    jump = nodes[H.u, -1] - nodes[H.u, 0]
-    nodes[H.u, [0, -1]] = nodes[H.u, 0] + right / (left + right) * jump
-    heat = 0.5 * left * right / (left + right) * jump * jump
-    zones[Z.e, [0, -1]] += heat / (2.0 * (left + right))
 
 
 def joined_seam(regions) -> float:

@@ -14,7 +14,7 @@ from hugoniot.problem.defaults import with_defaults
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import accounts, reactive, start, transmitting
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_end, laws_of_regions, region_starts, viscosity_of
+from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_end, laws_of_regions, start_region
 from hugoniot.solvers.lagrange1d.at_nodes import node_criteria
 from hugoniot.solvers.lagrange1d.between_steps import events_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, left_nodes, run_table, set_node_masses, shares_of
@@ -23,7 +23,7 @@ from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
 from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner
 from hugoniot.solvers.lagrange1d.post_mortem import unphysical
 from hugoniot.solvers.lagrange1d.probes import applied_stress, gauge_places, probe_tables
-from hugoniot.solvers.lagrange1d.step import AT_NODES, SCHEMES, WATCH, Arrays, Gauges, march
+from hugoniot.solvers.lagrange1d.step import AT_NODES, SCHEMES, WATCH, Arrays, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange1d.terms import NoTerms, terms_of
 from hugoniot.solvers.lagrange1d.watch import pass_times
@@ -48,9 +48,8 @@ class Lagrange1D(NothingToAdd):
         self.scheme = SCHEMES[problem.solver.integrator]
         self.staggered = self.scheme.staggered
         self.team = team_of(problem.solver.threads, sum(region.zones for region in problem.regions), WORTH_SHARING)
-        starts = region_starts(problem)
+        starts = [start_region(problem, region) for region in problem.regions]
         laws, self.laws_of_region = laws_of_regions(problem, starts)
-        self.viscosity = viscosity_of(problem)
         self.table, self.charge_table, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem, starts)
         self.zones = self.table[:, :self.region_ranges[-1][1]]
         self.burning = any(reactive.burns(problem, region) for region in problem.regions)
@@ -167,13 +166,12 @@ class Lagrange1D(NothingToAdd):
         return dict(zip(("time", "velocity", "stress", "velocity_right"), self.passed[:int(self.counters[L.PASSED_TIMES])].T.copy()))
 
     def _march_arguments(self, cycles, plan):
-        arrays = self._arrays()
-        gauges = Gauges(self.gauges, self.weights, self.gauge_times, self.gauge_buffer)
-        return cycles, arrays, plan, self.scheme, self.geometry, self.boundaries, gauges, self.terms.marching
+        return cycles, self._arrays(), plan, self.scheme, self.geometry, self.boundaries, self.terms.marching
 
     def _arrays(self):
         return Arrays(self.table, self.charge_table, self.node_table, self.gradient_table, self.control, self.counters, self.segments,
-                      self.interfaces, self.passed, self.criteria, self.asking, self.watching)
+                      self.interfaces, self.passed, self.criteria, self.gauges, self.weights, self.gauge_times, self.gauge_buffer,
+                      self.asking, self.watching)
 
     def take_gauges(self):
         """(times, {field: (n, ngauge)}) recorded since the last call; with what `reactive.gauge_columns` adds where something burns."""
@@ -213,21 +211,8 @@ class Lagrange1D(NothingToAdd):
         return self.charge[list(L.PHASE_ROWS)] if self.burning else None
 
     # -- accounts --------------------------------------------------------------------------------------------
-    def total_energy(self) -> float:
-        """Kinetic and internal energy, J per m^2, per m and radian, or per steradian."""
-        return accounts.total_energy(self.zones, self.nodes)
-
-    def momentum(self) -> float:
-        """Momentum, kg m/s per m^2, per m and radian, or per steradian."""
-        return accounts.momentum(self.nodes)
-
-    def errors(self) -> dict[str, float]:
-        """Relative mass, momentum and energy errors against the boundary's impulse and work; of momentum NaN for the curved leapfrog."""
-        return accounts.errors(self)
-
-    def exchanges(self) -> dict[str, float]:
-        """Work (J) and impulse (kg m/s) of the two ends so far and, where something burns, the chemical energy set free (J)."""
-        return accounts.exchanges(self)
+    total_energy, momentum, errors = accounts.total_energy, accounts.momentum, accounts.errors
+    exchanges, peaks = accounts.exchanges, accounts.peaks
 
     def counts(self) -> dict[str, int]:
         """Voids opened and closed, separated interfaces, and how often the tension of a failing zone was held at its spall strength."""
@@ -237,10 +222,6 @@ class Lagrange1D(NothingToAdd):
     def largest_velocity_jump(self) -> dict[str, float]:
         """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
         return accounts.largest_velocity_jump(self.problem, self.zones[Z.peak_pressure], self.zones[Z.peak_density], self.region_ranges)
-
-    def peaks(self) -> dict[str, np.ndarray]:
-        """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
-        return accounts.peaks(self.zones)
 
     def warnings(self) -> list[str]:
         """Sentences about rates of burning that the mesh did not resolve, and about explosives stretched beyond what they can carry."""

@@ -20,16 +20,12 @@ from hugoniot.core.target import BY_ADDRESS
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.assemble import history
-from hugoniot.solvers.lagrange1d.field import AMOUNT, field_at
+from hugoniot.solvers.lagrange1d.field import field_at
 from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import add_impulse, pulse_value
 
 NO_FORCE = -1.0    # code of the shape of no pulse
 STIFFEST = 6.0     # c^2 over the energy of what has been heated: Gamma (Gamma + 1) of Gamma = 2, above any gas
-
-FallRows = namedtuple("FallRows", "r_half u u_mean r")
-KickRows = namedtuple("KickRows", "r u")
-SupplyRows = namedtuple("SupplyRows", "weights e")
 
 
 class Force(NamedTuple):
@@ -40,17 +36,11 @@ class Force(NamedTuple):
     field: Any
 
 
-class Supply(NamedTuple):
+class Supply(namedtuple("Supply", "pulses tables weights sums amounts")):
     """Heat sources: pulses (n, 4), tables (n, 2, m), weights (n, zones), their sums over the mass (n,), amounts (n, 2).
 
     amounts are the integrals of the histories over this step, and their halves.
     """
-
-    pulses: Any
-    tables: Any
-    weights: Any
-    sums: Any
-    amounts: Any
 
 
 # -- from a problem ----------------------------------------------------------------------------------------------------
@@ -109,7 +99,7 @@ def _integral(depth, source):
 
 
 # -- passes: inner nodes as in `nodes`, `numbers` the field ------------------------------------------------------------
-@zone_pass(FallRows)
+@zone_pass("r_half u u_mean r")
 def fall(count, z, dt, numbers, law):
     """What the force adds to velocity and position at the end of the step."""
     rows_apart()
@@ -120,7 +110,7 @@ def fall(count, z, dt, numbers, law):
         z.r[j + 1] += 0.5 * dt * more
 
 
-@zone_pass(KickRows)
+@zone_pass("r u")
 def kick(count, z, dt, numbers, law):
     """Leapfrog: what it adds to the velocity before the nodes are leapt; the step is the mean time step."""
     rows_apart()
@@ -128,7 +118,7 @@ def kick(count, z, dt, numbers, law):
         z.u[j + 1] += dt * field_at(z.r[j + 1], numbers)
 
 
-@zone_pass(SupplyRows)
+@zone_pass("weights e")
 def supply_pass(count, z, dt, numbers, law):
     """Energy of one source."""
     rows_apart()
@@ -140,7 +130,7 @@ def supply_pass(count, z, dt, numbers, law):
 def supply(s, e, half: bool = False) -> None:
     """Write what heat sources add to energies in a step, or in its half; s: `zones.steps.MaterialSteps` with the rows of `plan`."""
     for weights, amounts in s.at.supplied:
-        s.do(supply_pass, SupplyRows(weights, e), numbers=amounts[int(half):])
+        s.do(supply_pass, (weights, e), numbers=amounts[int(half):])
 
 
 # -- in a march --------------------------------------------------------------------------------------------------------
@@ -172,20 +162,15 @@ def pulse_integral(time, pulse, table):
 
 
 @nb.njit(**BY_ADDRESS)
-def measure(time, dt, supply):
-    """Integrals of the histories over a step."""
-    for i in range(supply.sums.shape[0]):
-        amount = pulse_integral(time + dt, supply.pulses[i], supply.tables[i]) - pulse_integral(time, supply.pulses[i], supply.tables[i])
-        supply.amounts[i, 0], supply.amounts[i, 1] = amount, 0.5 * amount
-
-
-@nb.njit(**BY_ADDRESS)
 def heated_step(nodes, control, segments, supply):
-    """The time step, shortened where the heat of a source would make a zone so hot that sound crosses it; amounts are set for it."""
-    limit = control[L.COURANT] ** 2
+    """Shorten the time step where the heat of a source would make a zone so hot that sound crosses it; amounts are set for it."""
+    limit, time = control[L.COURANT] ** 2, control[L.TIME]
     for _ in range(60):
         dt = control[L.DT]
-        measure(control[L.TIME], dt, supply)
+        for i in range(supply.sums.shape[0]):
+            pulse, table = supply.pulses[i], supply.tables[i]
+            amount = pulse_integral(time + dt, pulse, table) - pulse_integral(time, pulse, table)
+            supply.amounts[i, 0], supply.amounts[i, 1] = amount, 0.5 * amount
         worst = 0.0
         for s in range(segments.shape[0]):
             for j in range(segments[s, L.SEG_FIRST], segments[s, L.SEG_LAST]):
@@ -197,7 +182,6 @@ def heated_step(nodes, control, segments, supply):
             break
         control[L.DT] = max(0.99 * dt * (limit / (dt * dt * worst)) ** (1.0 / 3.0), 1e-3 * dt)
         control[L.DT_NATURAL] = min(control[L.DT_NATURAL], control[L.DT])
-    return control[L.DT]
 
 
 @nb.njit(**BY_ADDRESS)
@@ -219,9 +203,3 @@ def book_supply(control, supply):
     """Energy of the heat sources in a step that was taken."""
     for i in range(supply.sums.shape[0]):
         control[L.SUPPLIED] += supply.sums[i] * supply.amounts[i, 0]
-
-
-@nb.njit(**BY_ADDRESS)
-def measure_force(time, dt, staggered, force):
-    """The acceleration of this step: in its middle, or at its start where velocities stand half a step behind."""
-    force.field[AMOUNT] = pulse_value(time if staggered else time + 0.5 * dt, force.pulse, force.table)

@@ -6,6 +6,7 @@ from hugoniot.core.ops import NO_LIMIT
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive, transmitting
 from hugoniot.solvers.lagrange1d.layout import H, Z
+from hugoniot.solvers.lagrange1d.nodes import pulse_value
 
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
@@ -23,9 +24,9 @@ def prepare(solver) -> None:
     for end, zone in ((L.END_LEFT, 0), (L.END_RIGHT, -1)):
         control[end + L.OUTSIDE] = control[end + L.AMBIENT] = solver.zones[Z.sigma, zone]
     transmitting.remember(control, solver.zones)
-    for side, node in ((problem.left, 0), (problem.right, -1)):
+    for side, end, node in zip((problem.left, problem.right), solver.boundaries, (0, -1)):
         if side.kind == "velocity":
-            nodes[H.u, node] = _pulse_at_zero(side.pulse)
+            nodes[H.u, node] = pulse_value.py_func(0.0, end.pulse, end.table)
         if side.kind == "fixed":
             nodes[H.u, node] = 0.0
     plan_first_step(solver)
@@ -60,9 +61,3 @@ def signal_rate(solver, zones) -> float:
     speed = np.maximum(solver.zones[Z.c, zones], fronts[solver.region_of[zones]]) + (16.0 if solver.staggered else 4.0) * jump
     rate = float(np.max(speed / (right - left)[zones]))
     return rate if rate > 0.0 else 1e3 / problem.stop_time
-
-
-def _pulse_at_zero(pulse) -> float:
-    if pulse.shape == "table":
-        return float(np.interp(0.0, pulse.times, pulse.values))
-    return pulse.amplitude if pulse.start <= 0.0 and pulse.shape in ("constant", "exponential", "square") else 0.0

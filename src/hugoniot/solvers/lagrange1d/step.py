@@ -14,12 +14,13 @@ its cycles are done, an event time is reached, a gauge buffer is full, a void op
 `layout`. It knows no law, so that it is compiled once for an integrator and a geometry.
 """
 
-from typing import Any, NamedTuple
+from collections import namedtuple
+from typing import NamedTuple
 
 import numba as nb
 from numba.extending import overload
 
-from hugoniot.core.binder import bind_choice
+from hugoniot.core.binder import only_if
 from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.shares import everyone
 from hugoniot.core.target import BY_ADDRESS, GUARD, INLINE
@@ -27,12 +28,13 @@ from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.at_nodes import fail_at_nodes
 from hugoniot.solvers.lagrange1d.conduction import conduct
+from hugoniot.solvers.lagrange1d.field import AMOUNT
 from hugoniot.solvers.lagrange1d.layout import H, Z
-from hugoniot.solvers.lagrange1d.nodes import add_impulse, end_node, end_pull, follow_end, leap_end
+from hugoniot.solvers.lagrange1d.nodes import add_impulse, end_node, end_pull, follow_end, leap_end, pulse_value
 from hugoniot.solvers.lagrange1d.plan import ADVANCE, AHEAD, CORRECT, DRIFT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, gather
 from hugoniot.solvers.lagrange1d.ring import mix_seam, ring_ghosts, seam_flux
-from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step, measure_force
-from hugoniot.solvers.lagrange1d.terms import NoTerms
+from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step
+from hugoniot.solvers.lagrange1d.terms import Marching
 from hugoniot.solvers.lagrange1d.transmitting import ghosts
 from hugoniot.solvers.lagrange1d.watch import (
     cavity_closed,
@@ -61,31 +63,11 @@ class Leapfrog(NamedTuple):
 SCHEMES = {"compatible": Compatible(), "wilkins": Leapfrog()}
 
 
-class Arrays(NamedTuple):
+class Arrays(namedtuple("Arrays", "zones charge nodes gradient control counters segments interfaces passed criteria gauges weights "
+                        "gauge_times gauge_buffer asking watching")):
     """What a march works on besides its plan: the tables of `layout`, control numbers, bodies and weak interfaces, times it passes;
-    fracture criteria at nodes (`at_nodes`); addresses of `ask_at_nodes`, 0 where no node is asked, and `watch`."""
-
-    zones: Any
-    charge: Any
-    nodes: Any
-    gradient: Any
-    control: Any
-    counters: Any
-    segments: Any
-    interfaces: Any
-    passed: Any
-    criteria: Any
-    asking: int
-    watching: int
-
-
-class Gauges(NamedTuple):
-    """Where gauges sit (`probes`), and the buffer of what they saw."""
-
-    table: Any
-    weights: Any
-    times: Any
-    buffer: Any
+    fracture criteria at nodes (`at_nodes`); where gauges sit (`probes`), and the buffer of what they saw; addresses of `ask_at_nodes`, 0
+    where no node is asked, and `watch`."""
 
 
 # -- parts of the step -----------------------------------------------------------------------------------------------
@@ -222,24 +204,19 @@ def watch(a, geometry, found):
 WATCH = Entry(watch)
 
 
-def begin_terms(dt, a, scheme, terms):
-    """Force and heat of the step that begins; the time step they allow."""
-    return dt
+@only_if(lambda terms: terms is Marching)
+def begin_terms(a, scheme, terms):
+    """Force and heat of the step that begins, and the time step they allow."""
+    if terms.supply.sums.shape[0] > 0:
+        heated_step(a.nodes, a.control, a.segments, terms.supply)
+    if terms.force.pulse[0] >= 0.0:     # in the middle of the step, or at its start where velocities stand half a step behind
+        time = a.control[L.TIME] + (0.0 if scheme.staggered else 0.5 * a.control[L.DT])
+        terms.force.field[AMOUNT] = pulse_value(time, terms.force.pulse, terms.force.table)
 
 
+@only_if(lambda terms: terms is Marching)
 def end_terms(a, plan, scheme, geometry, terms):
     """What body force and heat sources have done in the step, booked; conduction."""
-
-
-def _begin_terms(dt, a, scheme, terms):
-    if terms.supply.sums.shape[0] > 0:
-        dt = heated_step(a.nodes, a.control, a.segments, terms.supply)
-    if terms.force.pulse[0] >= 0.0:
-        measure_force(a.control[L.TIME], dt, scheme.staggered, terms.force)
-    return dt
-
-
-def _end_terms(a, plan, scheme, geometry, terms):
     if terms.force.pulse[0] >= 0.0:
         book_force(a.nodes, a.control, plan.dts, scheme.staggered, terms.force)
     if terms.supply.sums.shape[0] > 0:
@@ -248,31 +225,20 @@ def _end_terms(a, plan, scheme, geometry, terms):
         conduct(a.zones, a.nodes, a.segments, plan.dts[DT], terms.conduction, geometry)
 
 
-def _same_step(dt, a, scheme, terms):
-    return dt
-
-
-def _no_end(a, plan, scheme, geometry, terms):
-    pass
-
-
-bind_choice(begin_terms, lambda *classes: _same_step if classes[-1] is NoTerms else _begin_terms)
-bind_choice(end_terms, lambda *classes: _no_end if classes[-1] is NoTerms else _end_terms)
-
-
 @nb.njit(**GUARD)
-def march(cycles, a, plan, scheme, geometry, boundaries, gauges, terms):
+def march(cycles, a, plan, scheme, geometry, boundaries, terms):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     control, counters, zone_count = a.control, a.counters, a.segments[-1, L.SEG_LAST]
-    totals, recording = plan.found[plan.found.shape[0] - 1], gauges.table.shape[0] > 0
+    totals, recording = plan.found[plan.found.shape[0] - 1], a.gauges.shape[0] > 0
     pass_times(a.zones, a.nodes, control, counters, a.segments, a.passed)
     for _ in range(cycles):
-        if recording and counters[L.GAUGE_ROWS] >= gauges.times.shape[0]:
+        if recording and counters[L.GAUGE_ROWS] >= a.gauge_times.shape[0]:
             return L.BUFFER_FULL
-        dt = choose_step(a.zones, a.nodes, control, a.segments, scheme.staggered, geometry)
+        choose_step(a.zones, a.nodes, control, a.segments, scheme.staggered, geometry)
         if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
             return L.STEP_COLLAPSED
-        dt = begin_terms(dt, a, scheme, terms)
+        begin_terms(a, scheme, terms)
+        dt = control[L.DT]
         plan.dts[DT], plan.dts[DT_MEAN], plan.dts[DT_HALF] = dt, 0.5 * (dt + control[L.DT_OLD]), 0.5 * dt
         plan.dts[AHEAD] = min(dt / control[L.DT_OLD], L.LONGEST_AHEAD) if control[L.DT_OLD] > 0.0 else 0.0
         take_step(a, plan, scheme, geometry, boundaries)
@@ -288,8 +254,8 @@ def march(cycles, a, plan, scheme, geometry, boundaries, gauges, terms):
         call_entry(a.watching, a, geometry, totals)
         if recording and (control[L.TIME] >= control[L.NEXT_GAUGE] or at_event):
             at = counters[L.GAUGE_ROWS]
-            gauges.times[at] = control[L.TIME]
-            record_gauges(a.zones, a.charge, a.nodes, gauges.table, gauges.weights, gauges.buffer[at])
+            a.gauge_times[at] = control[L.TIME]
+            record_gauges(a.zones, a.charge, a.nodes, a.gauges, a.weights, a.gauge_buffer[at])
             counters[L.GAUGE_ROWS] = at + 1
             while control[L.NEXT_GAUGE] <= control[L.TIME] and control[L.GAUGE_INTERVAL] > 0.0:
                 control[L.NEXT_GAUGE] += control[L.GAUGE_INTERVAL]

@@ -4,21 +4,15 @@ Wilkins B.2 items 5 and 6. In planar and spherical flow the two hoop directions 
 (Herrmann A.18, with the corrected result sgn 2Y/3); cylindrical flow needs the full second invariant.
 """
 
-from collections import namedtuple
-
-from hugoniot.core.binder import bind, bind_family
+from hugoniot.core.binder import bind_family
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
-from hugoniot.core.passes import law_of, rows_apart, with_groups, zone_pass
+from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.mesh.line import GENERICS, GEOMETRY, area_per_radius, hoops
 from hugoniot.zones.strength import Solid, modulus, needs_rate, yielding
 
 bind_family(GEOMETRY, GENERICS)     # geometry in kernels: every list of the solver's passes takes this module
 
 NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
-
-
-# state; s1, s2 at the start; radial and hoop strains and dilation of the step -> shear, t1, t2, limit, flow
-StrengthRows = with_groups(namedtuple("StrengthRows", "solid s1 s2 radial hoop dilation shear t1 t2 limit flow"), solid=Solid)
 
 
 def trial_deviators(s1, s2, radial, hoop, dilation, shear):
@@ -73,17 +67,14 @@ def strained(z, j, dt, strong):
     return t1, t2, shear, limit, flow
 
 
-@zone_pass(StrengthRows)
+@zone_pass("solid s1 s2 radial hoop dilation shear t1 t2 limit flow", solid=Solid)
 def strain_solid(count, z, dt, numbers, law):
-    """Deviators, shear modulus, flow stress and plastic strain of a strain; `law` is a `zones.strength.Strong`."""
+    """State; s1, s2 at the start; radial and hoop strains and dilation of the step -> shear, t1, t2, limit, flow; `law` is a
+    `zones.strength.Strong`."""
     rows_apart()
     strong = law_of(law, numbers)
     for j in range(count):
         z.t1[j], z.t2[j], z.shear[j], z.limit[j], z.flow[j] = strained(z, j, dt, strong)
-
-
-for _function in (trial_deviators, von_mises, radial_return, equivalent_rate, hoop_force, strained):
-    bind(_function)
 
 
 def strains(s, geometry):
@@ -102,6 +93,6 @@ def deviators(s, geometry, solid, e, p, lam, step):
     z, w = s.at.z, s.at.w
     if not s.laws.is_strong:
         return w.zero, w.zero
-    s.do(strain_solid, StrengthRows(s.asked(solid, e, p, lam), z.s1, z.s2, w.radial, *strains(s, geometry), w.shear, w.t1, w.t2, w.limit,
-                                    w.flow), step, law=s.strong(geometry))
+    s.do(strain_solid, (s.asked(solid, e, p, lam), z.s1, z.s2, w.radial, *strains(s, geometry), w.shear, w.t1, w.t2, w.limit, w.flow), step,
+         law=s.strong(geometry))
     return w.t1, w.t2

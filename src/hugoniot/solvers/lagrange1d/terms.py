@@ -1,17 +1,18 @@
 """The further terms of a run (body force, heat sources, transport): its arrays, and what of them the lists of a material take."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from hugoniot.core.pass_lists import place, places
 from hugoniot.errors import OutOfRange
+from hugoniot.laws.transport.contract import Transport
 from hugoniot.problem.model import Problem
 from hugoniot.problem.terms import defects, transport_of
-from hugoniot.solvers.lagrange1d.conduction import Conduction, conduction_of
+from hugoniot.solvers.lagrange1d.conduction import Conduction
 from hugoniot.solvers.lagrange1d.sources import Force, Supply, force_of, supply_of
 from hugoniot.solvers.lagrange1d.tables import zone_table
-from hugoniot.zones.transport import TransportRows, ZoneTransport, zone_transport
+from hugoniot.zones.transport import TransportRows, zone_transport
 
 
 class Marching(NamedTuple):
@@ -29,15 +30,14 @@ class NoTerms(NamedTuple):
 
 
 class Terms(NamedTuple):
-    """The terms of a run; `transports` and `heated` (indices of heat sources) by material, `rows_table` the table of transport rows."""
+    """The terms of a run; `transports` and `heated` (indices of heat sources) by material."""
 
     force: Force
     supply: Supply
     conduction: Conduction
-    transports: tuple[ZoneTransport | None, ...]
+    transports: tuple[Transport | None, ...]
     heated: tuple[tuple[int, ...], ...]
     forced: bool
-    rows_table: Any
 
     @property
     def marching(self) -> Marching | NoTerms:
@@ -52,7 +52,7 @@ class Terms(NamedTuple):
         if own is None:
             return at._replace(supplied=supplied)
         bulk = np.array([own.bulk_ratio, own.bulk_viscosity])
-        return at._replace(t=places(TransportRows, self.rows_table, origin), transport=own, bulk=bulk, supplied=supplied)
+        return at._replace(t=places(TransportRows, self.conduction.rows, origin), transport=own, bulk=bulk, supplied=supplied)
 
 
 def terms_of(problem: Problem, zones, faces, ranges) -> Terms:
@@ -65,6 +65,6 @@ def terms_of(problem: Problem, zones, faces, ranges) -> Terms:
     heated = tuple(tuple(i for i, source in enumerate(problem.heat_sources) if of_region[source.region] == name) for name in names)
     table = zone_table(len(TransportRows._fields), zones.shape[1] if any(transports) else 0)
     conducts = any(own is not None and own.conduction is not None for own in transports)
-    rows = table[:, :zones.shape[1]]
-    return Terms(force_of(problem), supply_of(problem, zones, faces, ranges), conduction_of(conducts, rows), transports, heated,
-                 problem.body_force is not None, table)
+    rows, forced = table[:, :zones.shape[1]], problem.body_force is not None
+    conduction = Conduction(rows, np.zeros((5, rows.shape[1] if conducts else 0)))
+    return Terms(force_of(problem), supply_of(problem, zones, faces, ranges), conduction, transports, heated, forced)

@@ -22,7 +22,7 @@ BOTH, BEHIND_ONLY, BEFORE_ONLY = range(3)                     # rows of zones be
 
 
 class PlaneRows(NamedTuple):
-    """Rows of a row of zones: those of `zones.steps.Rows`, its nodes now and in the middle of the step, and its own."""
+    """Rows of a row of zones: those of `zones.steps.MaterialSteps`, its nodes now and in the middle of the step, and its own."""
 
     z: Any
     b: Any
