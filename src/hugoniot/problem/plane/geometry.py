@@ -105,7 +105,8 @@ def _read_csv(name: str, unit: str, collector: Collector, path: tuple) -> tuple 
         collector.add(path, f"{printable(name)}:{error.problems[0].line}: {error.problems[0].message}", error.problems[0].hint)
         return None
     except (OSError, UnicodeDecodeError) as error:
-        collector.add(path, f"cannot read '{printable(name)}': {printable(str(getattr(error, 'strerror', None) or error), 100)}")
+        reason = (getattr(error, "strerror", None) or str(error)).removeprefix(f"{file}: ")      # the path would be there twice
+        collector.add(path, f"cannot read '{printable(name)}': {printable(reason, 100)}")
         return None
     points = []
     for place, (k, row) in enumerate(rows):

@@ -15,6 +15,8 @@ from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.ring import ring_pull
 from hugoniot.solvers.lagrange1d.transmitting import follow, settle
 
+SUDDEN = 0.01     # |du| / c of a driven end in one step: a jump, not a ramp
+
 
 # -- inner nodes: `count` of them from the second of the node rows on; zone rows begin with the zone on the left of the first ---------
 @zone_pass("r u u_mean r_half")
@@ -203,6 +205,12 @@ def end_node(zones, nodes, control, ends, left, dt, boundary, geometry):
     nodes[H.u, node] = new
     nodes[H.r, node] = r + dt * mean
     book(control, left, dt * outer * mean, dt * outer)
+    jump = abs(new - u)
+    if (code == L.VELOCITY or code == L.PRESSURE) and jump > SUDDEN * zones[Z.c, zone]:
+        # the shock is not seen by its viscous pressure yet: the next step is chosen as for an impact (`start.signal_rate`)
+        width = abs(nodes[H.r, node + (1 if left else -1)] - nodes[H.r, node])
+        short = control[L.COURANT] * width / (zones[Z.c, zone] + 4.0 * jump)
+        control[L.DT_NATURAL] = min(control[L.DT_NATURAL], short / control[L.GROWTH])
 
 
 @nb.njit(**BY_ADDRESS)
