@@ -1,5 +1,6 @@
 """What every test may rely on, wherever the tests were started from; and how little memory and time they take together."""
 
+import gc
 import os
 import signal
 import sys
@@ -33,6 +34,20 @@ def _without_waiting_for_the_disk():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(os, "fsync", lambda handle: None)
         yield
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection(session):
+    """Thousands of tests and all libraries live to the end: looked through for unreachable objects neither now nor while the tests run.
+
+    Their forks need not copy them either, as a search writes to every object it looks at.
+    """
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 def pytest_runtest_teardown(item, nextitem):
