@@ -16,6 +16,10 @@ except ImportError:     # no Unix
     resource = None
 
 
+# matrices of some dozen rows: other threads of the linear algebra would spend the workers' cores waiting; read when numpy is imported
+for _threads in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+    os.environ.setdefault(_threads, "1")
+
 # hypothesis fails a test whose examples take more than 0.2 s, or are drawn slowly: on a busy machine any may
 settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("any machine")
