@@ -53,7 +53,7 @@ def read_text(path, limit: int = LARGEST) -> str:
 
 
 def toml_tables(text: str) -> dict:
-    """The tables of a text in TOML. `tomllib.TOMLDecodeError` where it is none, `ValueError` for keys and nesting that no file needs.
+    """The tables of a TOML text. Raises `tomllib.TOMLDecodeError` for invalid TOML, `ValueError` for keys and nesting that no file needs.
 
     The time and memory that a key takes grow with the square of the number of its parts.
     """

@@ -77,7 +77,7 @@ def write_fit(folder: pathlib.Path, found, name: str) -> None:
     from hugoniot.report import write_or_note
 
     record = _finite(record_of(found))
-    write_whole(folder / FOUND, sealed_json(record))    # first, since it tells that the folder is a fit's; at the end with checksums
+    write_whole(folder / FOUND, sealed_json(record))    # first, to mark the folder as a fit's; at the end with checksums
     write_whole(folder / FITTED, found.deck)
     rows = ([t.label, *(repr(float(v)) for v in (t.time[k], t.values[k], model[k], t.sigma[k], beside[k]))]
             for t, model in zip(found.targets, found.models) for beside in [t.beside(model)] for k in range(len(t.values)))

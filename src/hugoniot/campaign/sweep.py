@@ -81,7 +81,7 @@ def sweep(plan: Plan, folder, *, engine: Callable, outputs: Sequence[str] = (), 
     _claim(folder)
     lock = Lock(folder)
     try:
-        with Journal(folder / JOURNAL) as journal:      # first, since it tells that the folder is a sweep's
+        with Journal(folder / JOURNAL) as journal:      # first, to mark the folder as a sweep's
             write_whole(folder / ASKED, sealed_json(words or {}))
             progress = Progress(len(plan))
             keys, reasons = _asked(plan, journal, engine, progress, show)

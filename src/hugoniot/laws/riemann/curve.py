@@ -17,8 +17,8 @@ from hugoniot.laws.riemann.fan import Fan
 from hugoniot.laws.riemann.medium import Solid, is_gas, name_of, strength_left
 from hugoniot.laws.riemann.solid import TURNS, turned
 
-SPRAY = ("law '{}' is stretched to the largest tension it bears, {:.6g} Pa: no wave runs there, and a surface would open inside "
-         "the body (use lagrange1d, or a law that bears more tension)")
+SPRAY = ("law '{}' is stretched to the largest tension it supports, {:.6g} Pa: no wave runs there, and a surface would open inside "
+         "the body (use lagrange1d, or a law that supports more tension)")
 
 
 @dataclass(frozen=True)

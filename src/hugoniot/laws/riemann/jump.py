@@ -46,7 +46,7 @@ def volume_drop(sigma: float, ahead: State, branch: Branch) -> float:
     x = _newton(x, sigma, ahead, branch, ends)
     found = stress(1.0 / (v0 - x), ahead.e + 0.5 * (sigma + ahead.sigma) * x, branch) if sigma < 0.0 else sigma
     if not abs(found - sigma) <= 1e-6 * ahead.rho * square:
-        raise NoSolution(f"law '{name_of(branch.par)}' bears no tension of {-sigma:.6g} Pa")
+        raise NoSolution(f"law '{name_of(branch.par)}' does not support a tension of {-sigma:.6g} Pa")
     return x
 
 
@@ -103,7 +103,7 @@ def slope(sigma: float, ahead: State, after: State, branch: Branch, flux: float)
     _, by_rho, by_e = stress_and_slopes(after.rho, after.e, branch)
     # the energy behind rises with sigma at fixed volume by x/2, and with x at fixed sigma by (sigma + sigma0)/2
     stiff = after.rho**2 * by_rho + 0.5 * by_e * (sigma + ahead.sigma)
-    if stiff == 0.0:      # a law whose tension is cut off bears no more of it
+    if stiff == 0.0:      # a law whose tension is cut off supports no more of it
         return math.inf
     growth = (1.0 - 0.5 * by_e * x) / stiff
     return (x + rise * growth) / (2.0 * rise / flux)
