@@ -227,17 +227,25 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
     if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
         found.append((("fracture",), f"has a fracture law; {NAME} cannot open a new surface inside a body: "
                       "leave the law out (nothing spalls then), or use lagrange1d"))
-    if flagged(material.eos, "shocks_only"):
-        law = EOS.of(material.eos).name
-        found.append((("eos",), f"has a pressure that does not depend on its density ('{law}'): it answers for shocks alone, and "
-                      f"{NAME} has no isentrope to follow on release; use another equation of state, such as mie_gruneisen"))
     if flagged(material.eos, "remembers"):
-        found.append((("eos",), f"keeps its pores crushed: its release is not the isentrope that {NAME} follows; use lagrange1d"))
+        found += _porous_defects(material, cells)
     if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
         law = STRENGTH.of(material.strength).name
         what = "no constant shear modulus" if law in ("constant_poisson", "herrmann") else "no constant yield stress"
         found.append((("strength", "law"), f"has {what} ('{law}'); the waves of {NAME} are exact for perfectly_plastic (or none) only, "
                       "whose deviator depends on the density alone: use one of these, or use lagrange1d"))
+    return found
+
+
+def _porous_defects(material: Material, cells: bool) -> list[tuple[tuple, str]]:
+    """What is not followed of material whose pores stay crushed."""
+    found: list[tuple[tuple, str]] = []
+    if cells:
+        found.append((("eos",), f"keeps its pores crushed, which {NAME} follows in the mode 'algebraic' only: use "
+                      "solver.options.mode = \"algebraic\", or lagrange1d"))
+    if _has_strength(material):
+        found.append((("strength",), f"has strength and pores that stay crushed: its yield surface would move with the pores, and {NAME} has "
+                      "no exact waves for both together; leave one out, or use lagrange1d"))
     return found
 
 

@@ -40,7 +40,12 @@ _NODES, _MATRIX, _WEIGHTS = _collocation(4)
 
 
 class Fan:
-    """A path (rho, e, w) along the isentrope through `ahead`, w = integral of c d ln(rho) (negative on release)."""
+    """A path (rho, e, w) along the isentrope through `ahead`, w = integral of c d ln(rho) (negative on release).
+
+    way   -1 towards lower densities; +1 is for the waves of `spreading`
+    """
+
+    way, smallest, tolerance = -1.0, SMALLEST, TOLERANCE
 
     def __new__(cls, ahead: State, branch: Branch):
         closed = isinstance(branch.par, (IdealGas, StiffenedGas)) and not branch.a and not branch.b
@@ -79,13 +84,14 @@ class Fan:
         return s0 + h, e, w0 + h * sum(b * r[1] for b, r in zip(_WEIGHTS, rates))
 
     def _extend(self) -> None:
-        """One more node towards low densities."""
+        """One more node on the way."""
         node, h = self.nodes[-1], self._next
         while True:
-            whole = self._step(node, -h)
-            half = self._step(self._step(node, -0.5 * h), -0.5 * h)
+            whole = self._step(node, self.way * h)
+            half = self._step(self._step(node, 0.5 * self.way * h), 0.5 * self.way * h)
             scale = max(self._rates(*node[:2])[1] ** 2, self._rates(*half[:2])[1] ** 2)
-            if abs(whole[1] - half[1]) <= TOLERANCE * scale and abs(whole[2] - half[2]) <= TOLERANCE * math.sqrt(scale) or h <= SMALLEST:
+            if (abs(whole[1] - half[1]) <= self.tolerance * scale and abs(whole[2] - half[2]) <= self.tolerance * math.sqrt(scale)
+                    or h <= self.smallest):
                 break
             h *= 0.5
         self.nodes.append(half)
@@ -98,7 +104,11 @@ class Fan:
         s, e, w = node
         rho = self.ahead.rho * math.exp(s)
         sigma = stress_and_slopes(rho, e, self.branch)[0]
-        return State(rho, self.ahead.u + direction * w, e, sigma, self.ahead.s - self.branch.b * s)
+        return State(rho, self.ahead.u + direction * w, e, sigma, self.ahead.s - self.branch.b * s, self.ahead.compaction)
+
+    def kept(self, state: State) -> State:
+        """A state near the fan with the history of the fan's."""
+        return state
 
     def speed(self, node) -> float:
         """Sound speed there, m/s."""

@@ -24,9 +24,13 @@ FEEBLE = 3e-8      # rise over rho c^2 below which a jump is acoustic to round-o
 _STEPS = 200
 
 
-def volume_drop(sigma: float, ahead: State, branch: Branch) -> float:
-    """x = v0 - v behind a jump to the stress sigma; `OutOfRange` where the law has no such state."""
-    square = wave_speed_squared(ahead.rho, ahead.e, branch)
+def volume_drop(sigma: float, ahead: State, branch: Branch, square: float | None = None) -> float:
+    """x = v0 - v behind a jump to the stress sigma; `OutOfRange` where the law has no such state.
+
+    square   c^2 of the weakest jump in that direction (m2/s2), where the branch has a kink at the state ahead; None: the branch's own
+    """
+    if square is None:
+        square = wave_speed_squared(ahead.rho, ahead.e, branch)
     if not square > 0.0 and not (square == 0.0 and sigma > ahead.sigma):
         raise OutOfRange(f"law '{name_of(branch.par)}' is unstable at {ahead.rho:.6g} kg/m3 and {ahead.e:.6g} J/kg: "
                          f"c^2 = {square:.4g} m2/s2")
@@ -80,19 +84,21 @@ def _newton(x, sigma, ahead: State, branch: Branch, ends) -> float:
     raise NoSolution(f"no jump of '{name_of(branch.par)}' from {ahead.sigma:.6g} Pa reaches {sigma:.6g} Pa")
 
 
-def behind(sigma: float, ahead: State, branch: Branch, direction: int, deviator: float | None = None) -> tuple[State, float]:
+def behind(sigma: float, ahead: State, branch: Branch, direction: int, deviator: float | None = None,
+           square: float | None = None) -> tuple[State, float]:
     """(state behind, mass flux kg/m2/s) of a jump to the stress sigma that runs in `direction`.
 
     deviator   s1 behind; None: what the branch gives from the state ahead
+    square     see `volume_drop`
     """
-    x = volume_drop(sigma, ahead, branch)
+    x = volume_drop(sigma, ahead, branch, square)
     rise = sigma - ahead.sigma
     flux = math.sqrt(rise / x) if x != 0.0 else ahead.rho * math.sqrt(max(wave_speed_squared(ahead.rho, ahead.e, branch), 0.0))
     rho = 1.0 / (1.0 / ahead.rho - x)
     if deviator is None:
         deviator = ahead.s - branch.b * math.log(rho / ahead.rho) if branch.b else ahead.s
     u = ahead.u + direction * (rise / flux if flux else 0.0)
-    return State(rho, u, ahead.e + 0.5 * (sigma + ahead.sigma) * x, sigma, deviator), flux
+    return State(rho, u, ahead.e + 0.5 * (sigma + ahead.sigma) * x, sigma, deviator, ahead.compaction), flux
 
 
 def slope(sigma: float, ahead: State, after: State, branch: Branch, flux: float) -> float:

@@ -59,8 +59,8 @@ def solve(left: Piece, right: Piece, bench: Bench, sliced: bool) -> exact.Soluti
 
 
 def _feeble(waves: list[Wave], bench: Bench) -> bool:
-    """Whether all releases among the waves are so weak that jumps do for them."""
-    return all(w.behind.sigma >= w.ahead.sigma or abs(w.behind.u - w.ahead.u) < MERGED * bench.fan_step * abs(w.head - w.ahead.u)
+    """Whether all fans among the waves are so weak that jumps do for them."""
+    return all((w.behind.sigma >= w.ahead.sigma and not w.smooth) or abs(w.behind.u - w.ahead.u) < MERGED * bench.fan_step * abs(w.head - w.ahead.u)
                for w in waves)
 
 
@@ -118,13 +118,12 @@ def outgoing(left: Piece, right: Piece, x: float, t: float, bench: Bench,
 
 def _units(left: Piece, right: Piece, found: exact.Solution, x, t, bench: Bench) -> tuple[list[Unit], list[Piece]]:
     """Everything that leaves, from left to right, and the pieces between."""
-    units = [_unit(wave, left.region, x, t) for wave in found.left]
-    middles = [Piece("state", left.region, wave.behind) for wave in found.left]
+    units, middles = _side(found.left, left.region, x, t)
     contact = _contact(left, right, found, x, t, bench)
     units.append(Unit(contact, [Piece("vacuum")] * (len(contact) - 1), _contrast(left, right, found)))
-    after = [Piece("state", right.region, wave.behind) for wave in found.right]
-    units += [_unit(wave, right.region, x, t) for wave in reversed(found.right)]
-    middles += reversed(after)
+    after, between = _side(found.right, right.region, x, t)
+    units += reversed(after)
+    middles += reversed(between)
     # an expansion to nothing has no second edge: its fan reaches to the surface itself
     for k, unit in enumerate(units):
         if unit.inside and unit.inside[0].kind == "fan" and unit.inside[0].wave.behind.rho == 0.0:
@@ -132,6 +131,29 @@ def _units(left: Piece, right: Piece, found: exact.Solution, x, t, bench: Bench)
             unit.fronts = unit.fronts[:1] if side < 0 else unit.fronts[1:]
             middles[k if side < 0 else k - 1] = unit.inside.pop()
     return units, middles
+
+
+def _side(waves: list[Wave], region: int, x: float, t: float) -> tuple[list[Unit], list[Piece]]:
+    """(what leaves on one side, the pieces behind each), outermost first; waves that run at one speed are one unit."""
+    units: list[Unit] = []
+    middles: list[Piece] = []
+    for wave in waves:
+        unit = _unit(wave, region, x, t)
+        if wave.attached and units:
+            units[-1] = _joined(units[-1], unit, wave)
+            middles.pop()
+        else:
+            units.append(unit)
+        middles.append(Piece("state", region, wave.behind))
+    return units, middles
+
+
+def _joined(outer: Unit, inner: Unit, wave: Wave) -> Unit:
+    """A unit and the wave that runs directly behind it: where both have an edge, a fan leaves its own to the jump."""
+    way = -wave.direction
+    first, last = outer.fronts[::way], inner.fronts[::way]
+    fronts = [*first, *last[1:]] if wave.kind == "fan" else [*first[:-1], *last]
+    return Unit(fronts[::way], [*outer.inside, *inner.inside], max(outer.strength, inner.strength))
 
 
 def _unit(wave: Wave, region: int, x: float, t: float) -> Unit:
@@ -144,7 +166,7 @@ def _unit(wave: Wave, region: int, x: float, t: float) -> Unit:
 
 def _names(wave: Wave) -> tuple[str, str]:
     if wave.kind == "fan":
-        word = "elastic fan" if wave.elastic else "fan"
+        word = "elastic fan" if wave.elastic else "compaction fan" if wave.behind.sigma > wave.ahead.sigma else "fan"
         return f"{word} head", f"{word} tail"
     kind = "shock" if wave.behind.sigma > wave.ahead.sigma else "expansion"
     return (f"elastic {kind}" if wave.elastic else kind,) * 2
