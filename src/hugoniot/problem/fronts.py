@@ -227,6 +227,13 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
     if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
         found.append((("fracture",), f"has a fracture law; {NAME} cannot open a new surface inside a body: "
                       "leave the law out (nothing spalls then), or use lagrange1d"))
+    if flagged(material.eos, "shocks_only") and _has_strength(material):
+        law = EOS.of(material.eos).name
+        found.append((("strength",), f"has strength and a pressure that does not depend on its density ('{law}'), which bears no tension: "
+                      "leave the strength out, or use another equation of state, such as mie_gruneisen"))
+    if cells and flagged(material.eos, "shocks_only") and material.eos.s2 < 0.0:
+        found.append((("eos", "s2"), f"has s2 below zero: beyond some pressure its impedance falls, and {NAME} would have to split shocks in its "
+                      "cells; use solver.options.mode = \"algebraic\", which stops there, or mie_gruneisen"))
     if flagged(material.eos, "remembers"):
         found += _porous_defects(material, cells)
     if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):

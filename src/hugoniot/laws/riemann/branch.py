@@ -85,6 +85,11 @@ def has_memory(par) -> bool:
     return not isinstance(par, medium.Frozen) and "remembers" in EOS.of(par).flags
 
 
+def shocks_only(par) -> bool:
+    """Whether the pressure of a law depends on the energy alone."""
+    return not isinstance(par, medium.Frozen) and "shocks_only" in EOS.of(par).flags
+
+
 def loading(matter: Matter, state: State) -> Branch:
     """The branch on which pores go on closing from the compaction of a state; below its elastic limit the same as `elastic`."""
     return Branch(remembered(state.compaction, matter.par))

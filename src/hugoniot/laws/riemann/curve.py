@@ -27,6 +27,7 @@ from hugoniot.laws.riemann.branch import (
     has_memory,
     loading,
     plastic,
+    shocks_only,
     wave_speed_squared,
     yield_density,
 )
@@ -100,6 +101,7 @@ class Curve:
             self.loading = loading(matter, state)
             self.crushing = elastic_limit(self.loading.par)
         self.porous = self.crushing < NO_LIMIT
+        self.straight = has_memory(matter.par) or shocks_only(matter.par)      # branches may be straight in p and v
 
     # -- elastic limits ----------------------------------------------------------------------------------------------
     def _limit(self, way: int) -> tuple[State, float]:
@@ -154,7 +156,7 @@ class Curve:
         found = self._crush(sigma, first.behind)
         lead = (found[0].head - first.tail) * self.direction
         if found[0].kind == "shock":
-            return [self._one(sigma, self.state, self.loading, False)] if lead >= 0.0 else [first, *found]
+            return [self._lasting(self._one(sigma, self.state, self.loading, False))] if lead >= 0.0 else [first, *found]
         if lead > NARROW * self.c:
             raise OutOfRange(spreading.REVERSED.format(name_of(self.matter.par)))
         if lead < -NARROW * self.c:
@@ -166,7 +168,7 @@ class Curve:
         direct = self._one(sigma, ahead, self.loading, False)
         flux = (direct.head - ahead.u) * self.direction * ahead.rho
         if flux >= ahead.rho * math.sqrt(spreading.loading_square(ahead, self.loading)) * (1.0 - NARROW):
-            return [direct]
+            return [self._lasting(direct)]
         if self.as_jumps:
             return [replace(direct, smooth=True)]
         path = self._spreading(ahead)
@@ -179,7 +181,14 @@ class Curve:
         if node is None:
             return [fan]
         shock = self._one(sigma, after, loading(self.matter, after), False)
-        return [replace(fan, tail=shock.head), replace(shock, attached=True)]
+        return [replace(fan, tail=shock.head), self._lasting(replace(shock, attached=True))]
+
+    def _lasting(self, wave: Wave) -> Wave:
+        """A shock that closes pores; `OutOfRange` where it would outrun the sound behind it."""
+        flux = (wave.head - wave.ahead.u) * self.direction * wave.ahead.rho
+        if spreading.overtaken(wave.behind, flux, self.loading):
+            raise OutOfRange(spreading.OVERTAKEN.format(name_of(self.matter.par), wave.behind.sigma))
+        return wave
 
     def _spreading(self, ahead: State) -> Spreading:
         if "spreading" not in self._fans:
@@ -225,7 +234,7 @@ class Curve:
         node = fan.at_stress(sigma)
         after = fan.state(node, d)._replace(sigma=sigma)
         head, tail = ahead.u + d * fan.speed(fan.nodes[0]), after.u + d * fan.speed(node)
-        if has_memory(self.matter.par) and abs(head - tail) <= NARROW * self.c:      # a branch straight in the volume: a jump is as exact
+        if self.straight and abs(head - tail) <= NARROW * self.c:      # a branch straight in the volume: a jump is as exact
             after, flux = jump.behind(sigma, ahead, branch, d, deviator)
             speed = ahead.u + d * flux / ahead.rho
             return Wave("shock", is_elastic, d, ahead, after, speed, speed, None, self.stiffness)
@@ -256,6 +265,11 @@ class Curve:
     def gas(self) -> bool:
         """Whether the material expands without bound."""
         return is_gas(self.matter.par)
+
+    @property
+    def bears_tension(self) -> bool:
+        """Whether it can be held where it is pulled."""
+        return not self.gas and not shocks_only(self.matter.par)
 
     def surface(self) -> tuple[float, list[Wave]]:
         """(velocity, waves) of the surface towards nothing: zero stress, or for a gas the complete expansion."""

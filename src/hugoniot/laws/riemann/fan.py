@@ -2,7 +2,7 @@ r"""The isentrope of a fan, from the state ahead of it to any stress, density or
 
 $$\frac{de}{d\ln\rho} = \frac{\sigma}{\rho}, \qquad \frac{dw}{d\ln\rho} = c, \qquad \xi = u + d\,c, \qquad u = u_0 + d\,w$$
 
-An ideal or stiffened gas has it in closed form. Any other law is integrated in ln(rho) by Gauss-Legendre collocation with four stages
+An ideal or stiffened gas has it in closed form, a law whose pressure depends on the energy alone by quadrature. Any other law is integrated in ln(rho) by Gauss-Legendre collocation with four stages
 (order eight; nodes and matrix are computed, not copied), steps halved until a step and its two halves agree to 1e-13. The nodes passed are
 kept: a search along the fan starts from the nearest one.
 
@@ -15,7 +15,9 @@ import numpy as np
 
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.shock_energy import REST, ShockEnergy
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
+from hugoniot.laws.riemann import energy_alone
 from hugoniot.laws.riemann.branch import Branch, State, stress_and_slopes, wave_speed_squared
 from hugoniot.laws.riemann.medium import Frozen, limits_of, name_of
 
@@ -48,8 +50,10 @@ class Fan:
     way, smallest, tolerance = -1.0, SMALLEST, TOLERANCE
 
     def __new__(cls, ahead: State, branch: Branch):
-        closed = isinstance(branch.par, (IdealGas, StiffenedGas)) and not branch.a and not branch.b
-        return object.__new__(_ClosedFan if closed else Fan)
+        if branch.a or branch.b:
+            return object.__new__(Fan)
+        closed = isinstance(branch.par, (IdealGas, StiffenedGas))
+        return object.__new__(_ClosedFan if closed else _EnergyFan if isinstance(branch.par, ShockEnergy) else Fan)
 
     def __init__(self, ahead: State, branch: Branch):
         self.ahead, self.branch = ahead, branch
@@ -254,3 +258,43 @@ class _ClosedFan(Fan):
 
     def complete(self) -> float:
         return -2.0 / (self.gamma - 1.0) * self.c
+
+
+class _EnergyFan(Fan):
+    """A pressure that depends on the energy alone: every place on the isentrope is known by its u_p (`energy_alone`)."""
+
+    def __init__(self, ahead: State, branch: Branch):
+        super().__init__(ahead, branch)
+        self.start = energy_alone.velocity_of(ahead.sigma, branch.par)
+
+    def _node(self, u: float):
+        grown, w = energy_alone.release(u, self.start, self.branch.par)
+        return -math.log1p(self.ahead.rho * grown), 0.5 * (u * u - REST * REST), w
+
+    def state(self, node, direction: int) -> State:
+        u = energy_alone.of_energy(node[1])
+        sigma = self.branch.par.rho0 * (self.branch.par.c0 + u * (self.branch.par.s + u * self.branch.par.s2)) * u
+        return State(self.ahead.rho * math.exp(node[0]), self.ahead.u + direction * node[2], node[1], sigma)
+
+    def speed(self, node) -> float:
+        return energy_alone.impedance(energy_alone.of_energy(node[1]), self.branch.par) / (self.ahead.rho * math.exp(node[0]))
+
+    def _where(self, value, target: float):
+        """The node where a value that falls along the isentrope equals the target; the end of it at rest or at the start."""
+        from scipy.optimize import brentq
+
+        if value(self._node(0.0)) >= target or value(self._node(self.start)) <= target:
+            return self._node(0.0 if value(self._node(0.0)) >= target else self.start)
+        return self._node(brentq(lambda u: value(self._node(u)) - target, 0.0, self.start, xtol=1e-14 * self.start, rtol=1e-15))
+
+    def at_stress(self, sigma: float):
+        return self._node(energy_alone.velocity_of(sigma, self.branch.par))
+
+    def at_density(self, rho: float):
+        return self._where(lambda node: node[0], math.log(rho / self.ahead.rho))
+
+    def at_impedance(self, impedance: float):
+        return self._where(lambda node: self.ahead.rho * math.exp(node[0]) * self.speed(node), impedance)
+
+    def at_characteristic(self, relative: float):
+        return self._where(lambda node: node[2] + self.speed(node), relative)

@@ -29,6 +29,9 @@ NARROW = 1e-9         # of the sound speed: waves whose speeds differ by less ru
 ABOVE = 1e-9          # of the density: how far above a kink its upper slopes are looked at
 SMALLEST = 1e-9       # step in ln(rho): the slope of a crush curve may begin with a power of the stress
 SHORT = 1e-3         # of the last step of a fan: so close to its end the impedance is still falling, or a shock is due
+CARELESS = 1e-6       # of a squared speed
+OVERTAKEN = ("law '{}': the shock that closes pores to {:.6g} Pa would outrun the sound behind it, because there the uncompacted material is "
+             "hardly less dense than the compacted one; use a stiffer matrix (matrix_modulus), or lagrange1d")
 REVERSED = "law '{}': a compaction wave would spread ahead of its elastic precursor; use lagrange1d"
 
 
@@ -36,6 +39,12 @@ def loading_square(state: State, branch: Branch) -> float:
     """c^2 (m2/s2) of the weakest wave that closes pores beyond a state at its elastic limit."""
     e = state.e + ABOVE * state.sigma / state.rho
     return max(wave_speed_squared(state.rho * (1.0 + ABOVE), e, branch), 0.0)
+
+
+def overtaken(behind: State, flux: float, branch: Branch) -> bool:
+    """Whether sound behind a shock that closes pores is slower than it: no such shock lasts."""
+    square = wave_speed_squared(behind.rho * (1.0 - ABOVE), behind.e - ABOVE * behind.sigma / behind.rho, branch)
+    return not behind.rho * behind.rho * square >= (1.0 - CARELESS) * flux * flux
 
 
 def crushed(state: State, par) -> State:

@@ -73,13 +73,13 @@ def _solved(left: Piece, right: Piece, bench: Bench, jumps) -> exact.Solution:
         if outer.kind == "pressure":
             return exact.surface(side, bench.pressures[-d])
         if outer.kind == "wall":
-            return exact.wall(side, bench.walls[-d], bonded=not side.gas)
+            return exact.wall(side, bench.walls[-d], bonded=side.bears_tension)
         state = inner.edge(-d)
         return exact.Solution([], [], (state.u, state.u), state.sigma)
     a = Curve(bench.of(left), left.edge(1), -1, jumps[0], bench.narrow)
     b = Curve(bench.of(right), right.edge(-1), 1, jumps[1], bench.narrow)
     grip = float("inf") if left.region == right.region else bench.grips[left.region]
-    if a.gas or b.gas:
+    if not (a.bears_tension and b.bears_tension):
         grip = 0.0
     found = exact.contact(a, b, bonded=grip > 0.0)
     return exact.contact(a, b) if grip > 0.0 and found.stress < -grip else found

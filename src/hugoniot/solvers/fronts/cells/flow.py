@@ -10,7 +10,7 @@ from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.burn.contract import BURN, Reactive
 from hugoniot.laws.eos.contract import EOS, density_limits, flagged
 from hugoniot.laws.mixture.contract import MIXTURE
-from hugoniot.laws.riemann.branch import Matter, State
+from hugoniot.laws.riemann.branch import Matter, State, shocks_only
 from hugoniot.laws.riemann.curve import SPRAY
 from hugoniot.laws.riemann.medium import Frozen, Solid, mixture_limit
 from hugoniot.materials import burning
@@ -65,7 +65,7 @@ class Flow:
     def _rules(self, options: dict, courant: float) -> Rules:
         problem, count = self.problem, len(self.laws)
         passes, words = np.zeros((2 * count, 4), dtype=np.int64), np.zeros(2 * count, dtype=np.int64)
-        limits, traits = np.zeros((2 * count, 3)), np.zeros((count, 5))
+        limits, traits = np.zeros((2 * count, 3)), np.zeros((count, 6))
         for k, law in enumerate(self.laws):
             burns = isinstance(law, Reactive)
             passes[k] = (states_pass.address(law), wave_pass.address(law), *((burn_pass.address(law), pace_pass.address(law)) if burns else
@@ -78,7 +78,7 @@ class Flow:
             else:
                 eos = law.eos if isinstance(law, Solid) else law
                 limits[k], gas = density_limits(eos)[1], flagged(eos, "gas")
-            traits[k] = self.spacing.zones[k], min(self.bench.grips[k], 1e300), gas, *solids.traits(law)
+            traits[k] = self.spacing.zones[k], min(self.bench.grips[k], 1e300), gas, *solids.traits(law), shocks_only(self.bench.matters[k].par)
         np.minimum(limits, 1e30, out=limits)
         ends, lists = np.zeros((2, 5)), []
         for row, end, kind in zip(ends, (problem.left, problem.right), self.outside):
@@ -91,7 +91,7 @@ class Flow:
         length = problem.regions[-1].end - problem.regions[0].start
         numbers = np.array([problem.dimension, courant, float(options["weakest"]), length, problem.stop_time, self.burns,
                             self.bench.unburned, int(options["most_fronts"]), self.bench.elastic if self.solid.any() else 0.0,
-                            float(options["burn_step"])], dtype=float)
+                            float(options["burn_step"]), traits[:, tables.KINKS].any()], dtype=float)
         return Rules(passes, words, limits, traits, ends, *padded, numbers)
 
     # -- arrays --------------------------------------------------------------------------------------------------------

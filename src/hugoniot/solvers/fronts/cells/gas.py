@@ -6,7 +6,7 @@ $$\rho_t = -u\rho_x - \rho\left(u_x + \tfrac{d-1}{r}u\right), \quad u_t = -uu_x 
   e_t = -ue_x - \tfrac{p}{\rho}\left(u_x + \tfrac{d-1}{r}u\right), \quad \lambda_t = -u\lambda_x + \dot\lambda,$$
 
 and with their own face (velocity w): $q + \tfrac12\Delta t\,(q_t + w q_x)$. The two states at a face meet in an HLLC problem, read
-off at w. Where a mixture burns, and in solids, $p_x$ is the difference of the pressures (stresses) at both faces.
+off at w. Where a mixture burns, in solids and where slopes leap, $p_x$ is the difference of the pressures (stresses) at both faces.
 
 A solid has its stress for p, and its stretch z (laws.riemann.medium) obeys the equation of the density. A cell keeps the integral of
 z, whose flux is that of the mass times $z/\rho$; after the step what lies beyond the yield surface returns to it. In curved geometry
@@ -41,6 +41,8 @@ from hugoniot.solvers.fronts.cells.tables import (
     HOOP,
     INTO_LEFT,
     INTO_RIGHT,
+    KINKED,
+    KINKS,
     LAM,
     LEFT,
     LOW,
@@ -147,7 +149,7 @@ def predict(grid, rules, work, n, d, dt, burns):
         for i in range(n):
             w[BURNED, i] = w[MEAN + LAM, i]
         each_burning(grid, rules, work, n, 2, (MEAN + LAM, MEAN, MEAN + E, MEAN + LAM, MEAN + LAM + 1, MEAN + LAM + 2, BURNED), half)
-    if burns or rules.numbers[ELASTIC] > 0.0:
+    if burns or rules.numbers[ELASTIC] > 0.0 or rules.numbers[KINKED] > 0.0:
         evaluate(grid, rules, work, n, LOW)
         evaluate(grid, rules, work, n, HIGH)
     for i in range(n):
@@ -160,7 +162,7 @@ def predict(grid, rules, work, n, d, dt, burns):
         spread = (w[HIGH + U, i] - w[LOW + U, i]) / h + (d - 1) * round_
         pull = (d - 1) * hoop_excess(rules, grid.region[i], w[MEAN + VOLUME, i], w[MEAN + HOOP, i]) / (rho * r) if solid and d > 1 else 0.0
         p_x = (w[MEAN + P_RHO, i] * (w[HIGH, i] - w[LOW, i]) + w[MEAN + P_E, i] * (w[HIGH + E, i] - w[LOW + E, i])) / h
-        if solid or (burns and full and rules.passes[grid.region[i], 2] != 0):
+        if solid or (full and rules.traits[grid.region[i], KINKS] > 0.0) or (burns and full and rules.passes[grid.region[i], 2] != 0):
             by_faces = (w[HIGH + P, i] - w[LOW + P, i]) / h
             p_x = by_faces if abs(by_faces) < 1e300 else p_x
         for v in range(STATE):

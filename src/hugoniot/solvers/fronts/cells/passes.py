@@ -12,6 +12,7 @@ from hugoniot.core.binder import bind, bind_choice
 from hugoniot.core.ops import fmax
 from hugoniot.core.passes import bind_flag, law_of, zone_pass
 from hugoniot.laws.burn.contract import Reactive, advance, rate
+from hugoniot.laws.eos.shock_energy import ShockEnergy
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.riemann import medium, solid, wave
 from hugoniot.laws.riemann.medium import OnBranch, Solid, answer, mixed_phases
@@ -94,7 +95,8 @@ def pace_pass(count, z, dt, numbers, law):
 
 
 def _by_kind(plain, **special):
-    found = {Reactive: special.get("burning"), Solid: special.get("solid"), OnBranch: special.get("branch")}
+    found = {Reactive: special.get("burning"), Solid: special.get("solid"), OnBranch: special.get("branch"),
+             ShockEnergy: special.get("energy")}
     return lambda *classes: found.get(classes[-1]) or plain
 
 
@@ -104,9 +106,11 @@ def _bind() -> None:
     bind_choice(medium.answer, _by_kind(medium.plain_answer, burning=medium.reactive_answer, solid=medium.solid_answer,
                                         branch=medium.branch_answer))
     bind_choice(wave.jumps, _by_kind(wave.plain_jump, burning=wave.reactive_jump))
+    bind_choice(wave.falls, _by_kind(wave.release, energy=wave.energy_release))
     bind_choice(solid.waves, _by_kind(solid.plain_waves, solid=solid.solid_waves))
     bind_flag(wave.isolates, MIXTURE, "follows_isentrope")
     for function in (medium.mixed_phases, medium.mixed_answer, wave.drop, wave.both_drop, wave.isolated_jump, wave.step, wave.release,
+                     wave.energy_place, wave.energy_piece, wave.energy_release,
                      wave.compression, wave.reach, medium.strength_left, medium.deviator, *solid.KERNELS):
         bind(function, **search)
 

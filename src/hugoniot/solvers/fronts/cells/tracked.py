@@ -170,7 +170,7 @@ def between(front: Front, left: Side, right: Side, bench: Bench) -> Moved:
         behind = left if front.direction > 0 else right
         return _shock(front.direction, exact.contact(a, b, bonded=True, start=behind.state.sigma), a, b)
     grip = math.inf if left.region == right.region else bench.grips[left.region]
-    if a.gas or b.gas:
+    if not (a.bears_tension and b.bears_tension):
         grip = 0.0
     found = exact.contact(a, b, bonded=grip > 0.0)
     if grip > 0.0 and found.stress < -grip:
@@ -226,7 +226,7 @@ def end(kind: str, front: Front, side: Side, d: int, value: float) -> Moved:
         return _moving(side.state.u, side.state.sigma)
     curve = side.curve(d)
     if kind == "wall":
-        found = exact.wall(curve, value, bonded=not curve.gas)
+        found = exact.wall(curve, value, bonded=curve.bears_tension)
         return _moving(value, found.stress, parts=found.vacuum)
     if kind == "vacuum" and curve.gas:      # the edge of an expansion to nothing runs free of all forces
         return _moving(front.speed, 0.0)
