@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 from hugoniot.laws.riemann import solver as exact
-from hugoniot.laws.riemann.branch import Matter
+from hugoniot.laws.riemann.branch import Matter, elastic, has_memory, wave_speed_squared
 from hugoniot.laws.riemann.curve import Curve, Wave
 from hugoniot.solvers.fronts.line import OUTSIDE, Front, Piece
 
@@ -120,7 +120,7 @@ def _units(left: Piece, right: Piece, found: exact.Solution, x, t, bench: Bench)
     """Everything that leaves, from left to right, and the pieces between."""
     units, middles = _side(found.left, left.region, x, t)
     contact = _contact(left, right, found, x, t, bench)
-    units.append(Unit(contact, [Piece("vacuum")] * (len(contact) - 1), _contrast(left, right, found)))
+    units.append(Unit(contact, [Piece("vacuum")] * (len(contact) - 1), _contrast(left, right, found, bench)))
     after, between = _side(found.right, right.region, x, t)
     units += reversed(after)
     middles += reversed(between)
@@ -172,11 +172,18 @@ def _names(wave: Wave) -> tuple[str, str]:
     return (f"elastic {kind}" if wave.elastic else kind,) * 2
 
 
-def _contrast(left: Piece, right: Piece, found: exact.Solution) -> float:
-    """Difference of density across the contact, over the larger."""
+def _contrast(left: Piece, right: Piece, found: exact.Solution, bench: Bench) -> float:
+    """Difference of density across the contact, over the larger; in pores also that of compaction, or of energy over c^2.
+
+    The pressure of pores that close need not depend on the energy: then the density does not tell one side of a contact from the other.
+    """
     a = found.left[-1].behind if found.left else left.edge(1)
     b = found.right[-1].behind if found.right else right.edge(-1)
-    return abs(a.rho - b.rho) / max(a.rho, b.rho, 1e-300)
+    contrast = abs(a.rho - b.rho) / max(a.rho, b.rho, 1e-300)
+    if left.kind != "state" or left.region != right.region or not has_memory(bench.of(left).par):
+        return contrast
+    square = wave_speed_squared(a.rho, a.e, elastic(bench.of(left), a))
+    return max(contrast, abs(a.compaction - b.compaction), abs(a.e - b.e) / max(square, 1e-300))
 
 
 def _without_noise(units: list[Unit], middles: list[Piece]) -> tuple[list[Unit], list[Piece]]:
