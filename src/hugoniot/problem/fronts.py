@@ -247,9 +247,9 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
 def _porous_defects(material: Material, cells: bool) -> list[tuple[tuple, str]]:
     """What is not followed of material whose pores stay crushed."""
     found: list[tuple[tuple, str]] = []
-    if cells:
-        found.append((("eos",), f"keeps its pores crushed, which {NAME} follows in the mode 'algebraic' only: use "
-                      "solver.options.mode = \"algebraic\", or lagrange1d"))
+    if cells and getattr(material.eos, "exponent", 1.0) > 1.0:
+        found.append((("eos", "exponent"), f"has a crush curve that is concave at first (an exponent above 1), so that compaction begins with a "
+                      f"fan ahead of its shock, which {NAME} follows in the mode 'algebraic' only: use that, exponent = 1, or lagrange1d"))
     if _has_strength(material):
         found.append((("strength",), f"has strength and pores that stay crushed: its yield surface would move with the pores, and {NAME} has "
                       "no exact waves for both together; leave one out, or use lagrange1d"))

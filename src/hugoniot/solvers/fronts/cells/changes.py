@@ -101,7 +101,7 @@ class Changes:
             return []
         k, old = _order(mesh, face), solid[0]
         mesh.fronts[k] = dataclasses.replace(old, least=1, since=time, start=float(mesh.x[face]),
-                                             sides=(tuple(left.edge(1)), tuple(right.edge(-1))))
+                                             sides=(tuple(left.edge(1))[:5], tuple(right.edge(-1))[:5]))
         if len(edges) != 1 or old.direction or crowded:
             return []
         passes = transmit if old.kind != "end" else reflect

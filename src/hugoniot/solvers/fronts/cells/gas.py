@@ -23,6 +23,7 @@ import numba as nb
 from hugoniot.core.pass_lists import call_pass
 from hugoniot.core.rows import row_at
 from hugoniot.core.target import BY_ADDRESS, GUARD
+from hugoniot.solvers.fronts.cells.pores import is_porous
 from hugoniot.solvers.fronts.cells.solids import hoop_excess, is_solid, settle, yielded
 from hugoniot.solvers.fronts.cells.spacing import path_mean
 from hugoniot.solvers.fronts.cells.tables import (
@@ -97,6 +98,21 @@ def evaluate(grid, rules, work, n, block):
         a = b
 
 
+@nb.njit(**BY_ADDRESS)
+def close_pores(grid, rules, work, n):
+    """The compaction of cells that keep their pores crushed, after the states that they are in."""
+    w, a = work.w, 0
+    while a < n:
+        region, b = grid.region[a], a + 1
+        while b < n and grid.region[b] == region and w[FULL, b] == w[FULL, a]:
+            b += 1
+        if w[FULL, a] > 0.0 and is_porous(rules, region):
+            ask(rules, work, 3, region, (MEAN, MEAN + E, MEAN + P, MEAN + HOOP), a, b - a, 0.0)
+            for i in range(a, b):
+                grid.q[i, HOOP] = grid.q[i, 0] * w[MEAN + HOOP, i]
+        a = b
+
+
 @nb.njit(**GUARD)
 def averages(grid, rules, work, n, d):
     """States of the cells; those of a gap, and of cells about to be born, are zero."""
@@ -116,6 +132,7 @@ def averages(grid, rules, work, n, d):
                 w[MEAN + VOLUME, i], w[MEAN + HOOP, i] = yielded(rules, grid.region[i], grid.q[i, VOLUME] / volume, w[MEAN + HOOP, i])
             w[MEAN + E, i] -= 0.5 * w[MEAN + U, i] ** 2
     evaluate(grid, rules, work, n, MEAN)
+    close_pores(grid, rules, work, n)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -241,8 +258,8 @@ def move(grid, rules, work, n, d, dt, burns):
         each_burning(grid, rules, work, n, 2, (FROM, MIDDLE, MIDDLE + E, MIDDLE + LAM, MIDDLE + LAM + 1, MIDDLE + LAM + 2, BURNED), dt)
         for i in range(n):
             w[PACE, i] = grid.q[i, 0]
-    for i in range(n):       # a cell that is being born has the stretch and hoop strain of the exact solution
-        if is_solid(rules, grid.region[i]) and not math.isnan(grid.push[i]):
+    for i in range(n):       # a cell that is being born has the stretch and hoop strain, or the compaction, of the exact solution
+        if (is_solid(rules, grid.region[i]) or is_porous(rules, grid.region[i])) and not math.isnan(grid.push[i]):
             w[FROM, i], w[BURNED, i] = grid.q[i, VOLUME], grid.q[i, HOOP]
     before = 0.0
     for f in range(n + 1):
@@ -283,4 +300,6 @@ def move(grid, rules, work, n, d, dt, burns):
             grid.q[i, 3] = min(max(lam, 0.0), grid.q[i, 0])
         if is_solid(rules, grid.region[i]):
             settle(grid, rules, w, i, d, dt)
+        elif is_porous(rules, grid.region[i]) and not math.isnan(grid.push[i]):
+            grid.q[i, HOOP] = grid.q[i, 0] * w[BURNED, i]
         grid.push[i] = math.nan

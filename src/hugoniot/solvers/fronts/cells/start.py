@@ -3,9 +3,10 @@
 import numpy as np
 
 from hugoniot.laws.burn.contract import BURN
-from hugoniot.laws.riemann.branch import Branch, State, stress, wave_speed_squared
+from hugoniot.laws.riemann.branch import Branch, State, elastic, has_memory, stress, wave_speed_squared
 from hugoniot.problem.model import Boundary, Problem
 from hugoniot.solvers.fronts import setup
+from hugoniot.solvers.fronts.cells import pores
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
 from hugoniot.solvers.fronts.cells.solids import with_deviator
 from hugoniot.solvers.fronts.cells.spacing import Spacing, cells_of, count, place
@@ -66,7 +67,9 @@ def _fill(mesh: Mesh, cells, region, material) -> None:
         (rho, e), u = setup.start_states(region, material, x), setup.start_velocities(region, x)
         mass = weight * h * x ** (mesh.d - 1) * rho
         mesh.q[cells, :3] += np.column_stack([mass, mass * u, mass * (e + 0.5 * u * u)])
-        if mesh.q.shape[1] > 3:       # nothing has burned; reactants are on the isentrope they rest on; solids have no deviator
+        if mesh.q.shape[1] > 3 and has_memory(material.eos):
+            mesh.q[cells, 5] += mass * [pores.start(material.eos, *one) for one in zip(rho, e)]
+        elif mesh.q.shape[1] > 3:       # nothing has burned; reactants are on the isentrope they rest on; solids have no deviator
             mesh.q[cells, 4:6] += np.column_stack([mass / rho, mass * e if material.burn is not None else 0.0 * mass])
 
 
@@ -115,6 +118,11 @@ def _piece(flow, w, block: int, cell: int, region: int) -> Piece:
     for rows in (block, MEAN):
         rho, u, e, *mixed = w[rows:rows + LAM + 3, cell].tolist()
         matter = flow.matter(region, *mixed)
+        if rho > 0.0 and has_memory(matter.par):
+            state = pores.state_of(rho, u, e, mixed, matter)
+            if wave_speed_squared(rho, e, elastic(matter, state)) > 0.0:
+                return Piece("state", region, state)
+            continue
         branch = Branch(matter.par)
         if rho > 0.0 and wave_speed_squared(rho, e, branch) > -COLD * u * u:
             break
