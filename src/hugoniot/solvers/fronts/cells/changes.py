@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from hugoniot.errors import NoSolution, OutOfRange
-from hugoniot.solvers.fronts.cells import tables
+from hugoniot.solvers.fronts.cells import pores, tables
 from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
 from hugoniot.solvers.fronts.cells.flow import Flow
@@ -143,7 +143,7 @@ class Changes:
     def follow_weak_starts(self, mesh: Mesh) -> None:
         """Where no wave of the start is as strong as the weakest to be followed, a tenth of the strongest takes its place.
 
-        Elastic waves have their own measure. What is weaker by more than a factor of ten counts as rest, and at the ends of a profile small
+        Elastic waves have their own measure, and waves that close pores are measured by the stiffness of the material as others are. What is weaker by more than a factor of ten counts as rest, and at the ends of a profile small
         waves are those of its interpolation.
         """
         if any(region.profile is not None for region in self.flow.problem.regions):
@@ -151,8 +151,10 @@ class Changes:
         bench, strongest = self.flow.bench, 0.0
         for face in mesh.faces().tolist():
             if not self._beside_explosive(mesh, face):
-                found = solve(*self._sides(mesh, face, 0.0), bench, False)
-                strongest = max([strongest, *(wave.strength for wave in (*found.left, *found.right) if not wave.elastic)])
+                left, right = self._sides(mesh, face, 0.0)
+                found = solve(left, right, bench, False)
+                waves = [(wave, piece) for piece, some in ((left, found.left), (right, found.right)) for wave in some if not wave.elastic]
+                strongest = max([strongest, *(pores.strength(wave, bench.of(piece)) for wave, piece in waves)])
         if 0.1 * bench.weakest < strongest < bench.weakest:
             bench.weakest = self.flow.rules.numbers[tables.WEAKEST] = 0.1 * strongest
 

@@ -9,7 +9,8 @@ import numba as nb
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.core.target import BY_ADDRESS
 from hugoniot.laws.eos.contract import compacted, elastic_limit, pressure, reference_state, remembered, sound_speed_squared
-from hugoniot.laws.riemann.branch import Branch, Matter, State, has_memory, stress
+from hugoniot.laws.riemann.branch import Branch, Matter, State, elastic, has_memory, stress, wave_speed_squared
+from hugoniot.laws.riemann.curve import Wave
 from hugoniot.solvers.fronts.cells.tables import ENERGY
 
 WEAKEST_LIMIT = 1e-9      # of the stiffness: a lower elastic limit is none
@@ -28,6 +29,14 @@ def elastic_range(par) -> float:
     rho, e = reference_state(par)
     share = elastic_limit(par) / (rho * sound_speed_squared(rho, e, par))
     return float(share) if WEAKEST_LIMIT < share < NO_LIMIT / 1e30 else 0.0
+
+
+def strength(wave: Wave, matter: Matter) -> float:
+    """Change of stress over the stiffness of the material; of pores that close, which are softer, that of the elastic branch ahead."""
+    if not has_memory(matter.par):
+        return wave.strength
+    stiff = wave.ahead.rho * wave_speed_squared(wave.ahead.rho, wave.ahead.e, elastic(matter, wave.ahead))
+    return abs(wave.behind.sigma - wave.ahead.sigma) / max(abs(wave.ahead.sigma), abs(wave.behind.sigma), stiff)
 
 
 def start(eos, rho: float, e: float) -> float:
