@@ -114,7 +114,8 @@ def elastic_limit(par):
     """Pressure from which the share that is left is compacted further, Pa."""
     if par.compaction >= 1.0 or par.crush_strength >= NO_LIMIT:
         return NO_LIMIT
-    return par.crush_strength * vpow(-vlog(1.0 - par.compaction), 1.0 / par.exponent) if par.compaction > 0.0 else 0.0
+    closed = -vlog(1.0 - par.compaction) if par.compaction > 0.0 else 0.0
+    return par.crush_strength * vpow(closed, 1.0 / par.exponent) if closed > 0.0 else 0.0
 
 
 def _matrix(p, par):

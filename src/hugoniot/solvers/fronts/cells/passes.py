@@ -13,9 +13,9 @@ from hugoniot.core.binder import bind, bind_choice
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.core.passes import bind_flag, law_of, zone_pass
 from hugoniot.laws.burn.contract import Reactive, advance, rate
+from hugoniot.laws.eos.contract import compacted
 from hugoniot.laws.eos.shock_energy import ShockEnergy
 from hugoniot.laws.mixture.contract import MIXTURE
-from hugoniot.laws.eos.contract import compacted
 from hugoniot.laws.riemann import medium, porous, solid, wave
 from hugoniot.laws.riemann.medium import OnBranch, Porous, Solid, answer, mixed_phases
 from hugoniot.laws.riemann.solid import waves
