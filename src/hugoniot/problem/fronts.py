@@ -231,9 +231,10 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
         law = EOS.of(material.eos).name
         found.append((("strength",), f"has strength and a pressure that does not depend on its density ('{law}'), which bears no tension: "
                       "leave the strength out, or use another equation of state, such as mie_gruneisen"))
-    if cells and flagged(material.eos, "shocks_only") and material.eos.s2 < 0.0:
-        found.append((("eos", "s2"), f"has s2 below zero: beyond some pressure its impedance falls, and {NAME} would have to split shocks in its "
-                      "cells; use solver.options.mode = \"algebraic\", which stops there, or mie_gruneisen"))
+    if cells and flagged(material.eos, "shocks_only"):
+        found.append((("eos",), f"has a pressure that rises with the square root of its energy at rest ('{EOS.of(material.eos).name}'); "
+                      "cells know that energy as a small difference only, and what is released would be too fast on any mesh: use "
+                      "solver.options.mode = \"algebraic\", or another equation of state, such as mie_gruneisen"))
     if flagged(material.eos, "remembers"):
         found += _porous_defects(material, cells)
     if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
@@ -248,11 +249,12 @@ def _porous_defects(material: Material, cells: bool) -> list[tuple[tuple, str]]:
     """What is not followed of material whose pores stay crushed."""
     found: list[tuple[tuple, str]] = []
     if cells and getattr(material.eos, "exponent", 1.0) > 1.0:
-        found.append((("eos", "exponent"), f"has a crush curve that is concave at first (an exponent above 1), so that compaction begins with a "
-                      f"fan ahead of its shock, which {NAME} follows in the mode 'algebraic' only: use that, exponent = 1, or lagrange1d"))
+        found.append((("eos", "exponent"), "has a crush curve that is concave at first (an exponent above 1), so that compaction begins "
+                      f"with a fan ahead of its shock, which {NAME} follows in the mode 'algebraic' only: use that, exponent = 1, or "
+                      "lagrange1d"))
     if _has_strength(material):
-        found.append((("strength",), f"has strength and pores that stay crushed: its yield surface would move with the pores, and {NAME} has "
-                      "no exact waves for both together; leave one out, or use lagrange1d"))
+        found.append((("strength",), "has strength and pores that stay crushed: its yield surface would move with the pores, and "
+                      f"{NAME} has no exact waves for both together; leave one out, or use lagrange1d"))
     return found
 
 

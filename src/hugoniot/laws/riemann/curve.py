@@ -49,7 +49,7 @@ class Wave:
     direction    -1 into the left, +1 into the right material
     ahead, behind, head, tail   states, and velocities of the edges in the laboratory, m/s (equal for a shock)
     path         the `Fan` behind a fan, None for a shock
-    attached     whether it runs directly behind the wave ahead of it, at the same speed: a shock at the tail of a fan, or a fan behind a jump
+    attached     whether it runs directly behind the wave ahead of it, at the same speed: a shock at the tail of a fan, a fan behind a jump
     smooth       whether it is a jump of rising stress that stands for a fan
     """
 
@@ -96,6 +96,7 @@ class Curve:
         self.stiffness = state.rho * square
         self._limits: dict[int, tuple[State, float]] = {}
         self._fans: dict[str, Fan] = {}
+        self._compaction: Spreading | None = None
         self.loading, self.crushing = self.branch, NO_LIMIT
         if has_memory(matter.par):
             self.loading = loading(matter, state)
@@ -192,9 +193,9 @@ class Curve:
         return wave
 
     def _spreading(self, ahead: State) -> Spreading:
-        if "spreading" not in self._fans:
-            self._fans["spreading"] = Spreading(ahead, self.loading, self.matter.par)
-        return self._fans["spreading"]
+        if self._compaction is None:
+            self._compaction = Spreading(ahead, self.loading, self.matter.par)
+        return self._compaction
 
     def _plastic(self, sigma: float, ahead: State, way: int) -> tuple[Branch, float]:
         """(branch, s1 behind) of a plastic wave to a stress; in a cylinder it turns the stress (solid.py)."""

@@ -1,14 +1,14 @@
 r"""Waves of the law `shock_energy`, whose pressure depends on the energy alone: jumps and isentropes in closed form.
 
-With $p = \rho_0U_s(u_p)\,u_p$ and $e = \tfrac12u_p^2$ everything is a function of $u_p$, the particle velocity of the shock from rest with that
-energy. From $e - e_0 = \tfrac12(p + p_0)(v_0 - v)$ a jump and from $de = -p\,dv$ an isentrope have
+With $p = \rho_0U_s(u_p)\,u_p$ and $e = \tfrac12u_p^2$ everything is a function of $u_p$, the particle velocity of the shock from rest
+with that energy. From $e - e_0 = \tfrac12(p + p_0)(v_0 - v)$ a jump and from $de = -p\,dv$ an isentrope have
 
 $$v_0 - v = \frac{u_p^2 - u_{p0}^2}{p + p_0} \qquad\text{and}\qquad v_0 - v = \int_{u_{p0}}^{u_p}\frac{du}{\rho_0U_s}, \quad
   dw = \sqrt{\frac{c_0 + 2su_p + 3s_2u_p^2}{U_s}}\,du_p .$$
 
-The impedance $\rho c = \rho_0\sqrt{U_s(c_0 + 2su_p + 3s_2u_p^2)}$ does not depend on the volume either, and the squared mass flux of a jump is
-the mean of its square over the energy: waves are those of an ordinary material where the impedance rises with $u_p$. With $s_2 \ge 0$ it always
-does; with $s_2 < 0$ up to a certain $u_p$, where the law has no waves any more. Released to rest it has no stress and a finite density.
+The impedance $\rho c = \rho_0\sqrt{U_s(c_0 + 2su_p + 3s_2u_p^2)}$ does not depend on the volume either, and the squared mass flux of a jump
+is the mean of its square over the energy: waves are those of an ordinary material where the impedance rises with $u_p$. With $s_2 \ge 0$ it
+always does; with $s_2 < 0$ up to a certain $u_p$, and shocks far beyond are refused. At rest it has no stress and a density of its own.
 
 Source: KB codes equations 3.1, 3.6 and 3.7, with conservation of mass, momentum and energy.
 """
@@ -21,8 +21,8 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.shock_energy import REST, ShockEnergy
 
 _X, _W = (row.tolist() for row in np.polynomial.legendre.leggauss(20))
-SOFTENS = ("law 'shock_energy': a shock to {:.6g} Pa would outrun the sound behind it, because with s2 below zero the impedance falls with the "
-           "pressure there; use mie_gruneisen")
+SOFTENS = ("law 'shock_energy': a shock to {:.6g} Pa would outrun the sound behind it, because with s2 below zero the impedance falls with "
+           "the pressure there; use mie_gruneisen")
 NO_TENSION = "law 'shock_energy' bears no tension, and has no state at {:.6g} Pa"
 
 

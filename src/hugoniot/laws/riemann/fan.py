@@ -2,9 +2,9 @@ r"""The isentrope of a fan, from the state ahead of it to any stress, density or
 
 $$\frac{de}{d\ln\rho} = \frac{\sigma}{\rho}, \qquad \frac{dw}{d\ln\rho} = c, \qquad \xi = u + d\,c, \qquad u = u_0 + d\,w$$
 
-An ideal or stiffened gas has it in closed form, a law whose pressure depends on the energy alone by quadrature. Any other law is integrated in ln(rho) by Gauss-Legendre collocation with four stages
-(order eight; nodes and matrix are computed, not copied), steps halved until a step and its two halves agree to 1e-13. The nodes passed are
-kept: a search along the fan starts from the nearest one.
+An ideal or stiffened gas has it in closed form, a law whose pressure depends on the energy alone by quadrature. Others are integrated in
+ln(rho) by Gauss-Legendre collocation with four stages (order eight; nodes and matrix are computed, not copied), steps halved until a
+step and its two halves agree to 1e-13. The nodes passed are kept: a search along the fan starts from the nearest one.
 
 Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, section II.7 (collocation).
 """
@@ -18,6 +18,7 @@ from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.shock_energy import REST, ShockEnergy
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 from hugoniot.laws.riemann import energy_alone
+from hugoniot.laws.riemann.bracket import root
 from hugoniot.laws.riemann.branch import Branch, State, stress_and_slopes, wave_speed_squared
 from hugoniot.laws.riemann.medium import Frozen, limits_of, name_of
 
@@ -281,11 +282,10 @@ class _EnergyFan(Fan):
 
     def _where(self, value, target: float):
         """The node where a value that falls along the isentrope equals the target; the end of it at rest or at the start."""
-        from scipy.optimize import brentq
-
-        if value(self._node(0.0)) >= target or value(self._node(self.start)) <= target:
-            return self._node(0.0 if value(self._node(0.0)) >= target else self.start)
-        return self._node(brentq(lambda u: value(self._node(u)) - target, 0.0, self.start, xtol=1e-14 * self.start, rtol=1e-15))
+        ends = value(self._node(0.0)) - target, value(self._node(self.start)) - target
+        if ends[0] >= 0.0 or ends[1] <= 0.0:
+            return self._node(0.0 if ends[0] >= 0.0 else self.start)
+        return self._node(root(lambda u: value(self._node(u)) - target, 0.0, self.start, *ends))
 
     def at_stress(self, sigma: float):
         return self._node(energy_alone.velocity_of(sigma, self.branch.par))

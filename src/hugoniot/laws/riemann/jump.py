@@ -5,9 +5,9 @@ With the drop of specific volume $x = v_0 - v$ and the mass flux m through the f
 $$m^2 = \frac{\sigma-\sigma_0}{x}, \qquad u - u_0 = d\,\frac{\sigma-\sigma_0}{m}, \qquad e - e_0 = \tfrac12(\sigma+\sigma_0)\,x$$
 
 for a front that runs into the material in the direction d = +-1. x is found from sigma(1/(v0 - x), e0 + (sigma + sigma0) x / 2) = sigma
-by Newton's method inside a bracket (ideal and stiffened gas, and `energy_alone`, have it in closed form); solving for the difference keeps feeble jumps as
-accurate as strong ones. An expansion obeys the same three relations: its entropy falls with the cube of its strength, its conservation
-is exact.
+by Newton's method inside a bracket (ideal and stiffened gas, and `energy_alone`, have it in closed form); solving for the difference keeps
+feeble jumps as accurate as strong ones. An expansion obeys the same three relations: its entropy falls with the cube of its strength, its
+conservation is exact.
 
 Source: Courant and Friedrichs, Supersonic Flow and Shock Waves, sections 54 and 65.
 """

@@ -1,8 +1,8 @@
 r"""The waves of one side of material whose pores stay crushed, from the state ahead to a pressure: plain functions that kernels compile.
 
-Release, and compression up to the elastic limit of the compaction k, run on the elastic branch of the law, beyond it on the law itself, with k
-behind by `compacted`. A shock that closes pores follows the precursor, or both are one shock where it would be the faster one. The same as
-`curve.Curve`, for kernels, and for crush curves that are convex.
+Release, and compression up to the elastic limit of the compaction k, run on the elastic branch of the law, beyond it on the law itself,
+with k behind by `compacted`. A shock that closes pores follows the precursor, or both are one shock where it would be the faster one.
+The same as `curve.Curve`, for kernels, and for crush curves that are convex.
 
 Source: Herrmann, J. Appl. Phys. 40, 2490 (1969); Courant and Friedrichs, sections 54 to 81.
 """

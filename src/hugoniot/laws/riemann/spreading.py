@@ -4,7 +4,8 @@ Where the curve p(v) of the closing pores is concave, weak waves run ahead of st
 
 $$\frac{de}{d\ln\rho} = \frac{p}{\rho}, \qquad \frac{dw}{d\ln\rho} = c,$$
 
-as long as the impedance rho c falls along it, and, for stresses beyond, a shock from that state of the fan whose characteristic runs with it,
+as long as the impedance rho c falls along it, and, for stresses beyond, a shock from that state of the fan whose characteristic runs with
+it,
 
 $$\frac{p - p_t}{v_t - v} = (\rho c)_t^2 .$$
 
@@ -21,6 +22,7 @@ from itertools import pairwise
 
 from hugoniot.laws.eos.contract import compacted
 from hugoniot.laws.riemann import jump
+from hugoniot.laws.riemann.bracket import root
 from hugoniot.laws.riemann.branch import Branch, State, stress, wave_speed_squared
 from hugoniot.laws.riemann.fan import Fan
 
@@ -31,8 +33,8 @@ SMALLEST = 1e-9       # step in ln(rho): the slope of a crush curve may begin wi
 SHORT = 1e-3         # of the last step of a fan: so close to its end the impedance is still falling, or a shock is due
 FEEBLE = 1e-6         # of the stiffness: rise of a jump whose speed is that of sound but for rounding
 CARELESS = 1e-6       # of a squared speed
-OVERTAKEN = ("law '{}': the shock that closes pores to {:.6g} Pa would outrun the sound behind it, because there the uncompacted material is "
-             "hardly less dense than the compacted one; use a stiffer matrix (matrix_modulus), or lagrange1d")
+OVERTAKEN = ("law '{}': the shock that closes pores to {:.6g} Pa would outrun the sound behind it, because there the uncompacted material "
+             "is hardly less dense than the compacted one; use a stiffer matrix (matrix_modulus), or lagrange1d")
 REVERSED = "law '{}': a compaction wave would spread ahead of its elastic precursor; use lagrange1d"
 
 
@@ -92,12 +94,10 @@ class Spreading(Fan):
 
     def _root(self, value, base, most: float):
         """The node at most `most` beyond a node where a value changes its sign."""
-        from scipy.optimize import brentq
-
         ends = value(base), value(self._step(base, most))
         if ends[0] * ends[1] > 0.0:
             return base if abs(ends[0]) < abs(ends[1]) else self._step(base, most)
-        step = brentq(lambda step: value(self._step(base, step) if step else base), 0.0, most, xtol=1e-18, rtol=1e-14)
+        step = root(lambda step: value(self._step(base, step)), 0.0, most, *ends)
         return self._step(base, step) if step else base
 
     def at_stress(self, sigma: float):

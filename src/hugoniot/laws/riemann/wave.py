@@ -16,7 +16,6 @@ import math
 from typing import NamedTuple
 
 from hugoniot.laws.burn.contract import Reactive
-from hugoniot.laws.eos.shock_energy import ShockEnergy
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.mixture.search import NASCENT
 from hugoniot.laws.riemann.medium import answer, mixed_phases
@@ -194,49 +193,6 @@ def release(target, side, par):
     return Behind(w, 1.0 / (rho * c), rho, e, rho * c, side.volume, side.energy)
 
 
-# four Gauss points of three pieces: 1e-12 of an isentrope of `shock_energy`
-_NEAR, _FAR, _HEAVY, _LIGHT = 0.3399810435848563, 0.8611363115940526, 0.6521451548625461, 0.34785484513745385
-
-
-def energy_place(u, par):
-    """(d v, d w) for a fall of u_p by 1: see `energy_alone`."""
-    speed = par.c0 + u * (par.s + u * par.s2)
-    return 1.0 / (par.rho0 * speed), math.sqrt((par.c0 + u * (2.0 * par.s + 3.0 * u * par.s2)) / speed)
-
-
-def energy_piece(middle, half, par):
-    """(growth of the volume, velocity gained) while u_p falls from middle + half to middle - half."""
-    a, b = energy_place(middle - half * _NEAR, par), energy_place(middle + half * _NEAR, par)
-    c, d = energy_place(middle - half * _FAR, par), energy_place(middle + half * _FAR, par)
-    return (half * (_HEAVY * (a[0] + b[0]) + _LIGHT * (c[0] + d[0])), half * (_HEAVY * (a[1] + b[1]) + _LIGHT * (c[1] + d[1])))
-
-
-def energy_release(target, side, par):
-    """The isentrope of a pressure that depends on the energy alone; nan where tension is asked of it."""
-    start = math.sqrt(max(2.0 * side.e, 0.0))
-    u = 2.0 * target / par.rho0 / (par.c0 + math.sqrt(par.c0 * par.c0 + 4.0 * par.s * max(target, 0.0) / par.rho0))
-    for _ in range(40):
-        slope = par.rho0 * (par.c0 + u * (2.0 * par.s + 3.0 * u * par.s2))
-        step = (par.rho0 * (par.c0 + u * (par.s + u * par.s2)) * u - target) / slope
-        u = u - step
-        if not abs(step) > 4e-16 * u:
-            break
-    u, volume, gain = min(u, start), 0.0, 0.0
-    half = (start - u) / 6.0
-    for k in range(3):
-        grown, gained = energy_piece(u + (2 * k + 1) * half, half, par)
-        volume, gain = volume + grown, gain + gained
-    v, (_, slope) = 1.0 / side.rho + volume, energy_place(u, par)
-    impedance = par.rho0 * (par.c0 + u * (par.s + u * par.s2)) * slope
-    w = -gain if target >= 0.0 else math.nan
-    return Behind(w, 1.0 / impedance, 1.0 / v, 0.5 * u * u, impedance, side.volume, side.energy)
-
-
-def falls(target, side, par):
-    """The release to a pressure."""
-    return energy_release(target, side, par) if isinstance(par, ShockEnergy) else release(target, side, par)
-
-
 def reach(target, side, par):
     """The wave to a pressure: a jump above the one ahead, an isentrope below it."""
     if target > side.p:
@@ -244,4 +200,4 @@ def reach(target, side, par):
     if target == side.p:
         flux = side.rho * math.sqrt(side.square)
         return Behind(0.0, 1.0 / flux if flux > 0.0 else math.inf, side.rho, side.e, flux, side.volume, side.energy)
-    return falls(target, side, par)
+    return release(target, side, par)

@@ -60,7 +60,8 @@ def solve(left: Piece, right: Piece, bench: Bench, sliced: bool) -> exact.Soluti
 
 def _feeble(waves: list[Wave], bench: Bench) -> bool:
     """Whether all fans among the waves are so weak that jumps do for them."""
-    return all((w.behind.sigma >= w.ahead.sigma and not w.smooth) or abs(w.behind.u - w.ahead.u) < MERGED * bench.fan_step * abs(w.head - w.ahead.u)
+    least = MERGED * bench.fan_step
+    return all((w.behind.sigma >= w.ahead.sigma and not w.smooth) or abs(w.behind.u - w.ahead.u) < least * abs(w.head - w.ahead.u)
                for w in waves)
 
 

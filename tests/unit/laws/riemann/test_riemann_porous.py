@@ -66,8 +66,8 @@ def test_a_matrix_that_gives_way_before_its_pores_do_is_told():
                                  p_lambda.build(SOLID, 2100.0, 25e9, 0.4e9, 1.0)], ids=["p_alpha", "snow_plough", "p_lambda"])
 def test_kernels_and_python_have_the_same_waves(law):
     """Release, precursor, both waves, one shock: from rest and from partly crushed states."""
-    from hugoniot.laws.riemann.porous import porous_waves
     from hugoniot.laws.riemann.medium import Porous, porous_answer
+    from hugoniot.laws.riemann.porous import porous_waves
     from hugoniot.laws.riemann.wave import Side, sound_squared
 
     rng = np.random.default_rng(3)

@@ -143,8 +143,8 @@ class Changes:
     def follow_weak_starts(self, mesh: Mesh) -> None:
         """Where no wave of the start is as strong as the weakest to be followed, a tenth of the strongest takes its place.
 
-        Elastic waves have their own measure, and waves that close pores are measured by the stiffness of the material as others are. What is weaker by more than a factor of ten counts as rest, and at the ends of a profile small
-        waves are those of its interpolation.
+        Elastic waves have their own measure; waves that close pores are measured by the stiffness of the material, as others are. What is
+        weaker by more than a factor of ten counts as rest, and at the ends of a profile small waves are those of its interpolation.
         """
         if any(region.profile is not None for region in self.flow.problem.regions):
             return

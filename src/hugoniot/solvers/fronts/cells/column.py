@@ -57,7 +57,9 @@ class CellColumn:
             rho, u, e, *mixed = values.tolist()
             matter = flow.matter(region, *mixed)
             porous = flow.porous[region % len(flow.porous)]
-            p = np.nan if not rho > 0.0 else state_of(rho, u, e, mixed, matter).sigma if porous else float(stress(rho, e, Branch(matter.par)))
+            p = np.nan
+            if rho > 0.0:
+                p = state_of(rho, u, e, mixed, matter).sigma if porous else float(stress(rho, e, Branch(matter.par)))
             if np.isfinite(p):
                 break
         burned = float(flow.programmed[region]) if not flow.burns_by_rate[region] else min(max(values[LAM], 0.0), 1.0)

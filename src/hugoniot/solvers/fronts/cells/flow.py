@@ -10,7 +10,7 @@ from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.burn.contract import BURN, Reactive
 from hugoniot.laws.eos.contract import EOS, density_limits, flagged
 from hugoniot.laws.mixture.contract import MIXTURE
-from hugoniot.laws.riemann.branch import Matter, State, has_memory, shocks_only
+from hugoniot.laws.riemann.branch import Matter, State, has_memory
 from hugoniot.laws.riemann.curve import SPRAY
 from hugoniot.laws.riemann.medium import Frozen, Porous, Solid, mixture_limit
 from hugoniot.materials import burning
@@ -81,8 +81,7 @@ class Flow:
             else:
                 eos = getattr(law, "eos", law)
                 limits[k], gas = density_limits(eos)[1], flagged(eos, "gas")
-            traits[k] = self.spacing.zones[k], min(self.bench.grips[k], 1e300), gas, *solids.traits(law), self.porous[k] or (
-                not burns and shocks_only(self.bench.matters[k].par))
+            traits[k] = self.spacing.zones[k], min(self.bench.grips[k], 1e300), gas, *solids.traits(law), self.porous[k]
         np.minimum(limits, 1e30, out=limits)
         ends, lists = np.zeros((2, 5)), []
         for row, end, kind in zip(ends, (problem.left, problem.right), self.outside):
@@ -93,8 +92,9 @@ class Flow:
         longest = max(len(times) for times, _ in lists)
         padded = [np.array([[*row, *[row[-1]] * (longest - len(row))] for row in rows], dtype=float) for rows in zip(*lists)]
         length = problem.regions[-1].end - problem.regions[0].start
+        elastic = self.bench.elastic if self.solid.any() or self.porous.any() else 0.0
         numbers = np.array([problem.dimension, courant, float(options["weakest"]), length, problem.stop_time, self.burns,
-                            self.bench.unburned, int(options["most_fronts"]), self.bench.elastic if self.solid.any() or self.porous.any() else 0.0,
+                            self.bench.unburned, int(options["most_fronts"]), elastic,
                             float(options["burn_step"]), traits[:, tables.KINKS].any()], dtype=float)
         return Rules(passes, words, limits, traits, ends, *padded, numbers)
 

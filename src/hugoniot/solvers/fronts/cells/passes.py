@@ -14,7 +14,6 @@ from hugoniot.core.ops import fmax, fmin
 from hugoniot.core.passes import bind_flag, law_of, zone_pass
 from hugoniot.laws.burn.contract import Reactive, advance, rate
 from hugoniot.laws.eos.contract import compacted
-from hugoniot.laws.eos.shock_energy import ShockEnergy
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.riemann import medium, porous, solid, wave
 from hugoniot.laws.riemann.medium import OnBranch, Porous, Solid, answer, mixed_phases
@@ -105,7 +104,7 @@ def crush_pass(count, z, dt, numbers, law):
 
 def _by_kind(plain, **special):
     found = {Reactive: special.get("burning"), Solid: special.get("solid"), OnBranch: special.get("branch"),
-             ShockEnergy: special.get("energy"), Porous: special.get("porous")}
+             Porous: special.get("porous")}
     return lambda *classes: found.get(classes[-1]) or plain
 
 
@@ -115,11 +114,9 @@ def _bind() -> None:
     bind_choice(medium.answer, _by_kind(medium.plain_answer, burning=medium.reactive_answer, solid=medium.solid_answer,
                                         branch=medium.branch_answer, porous=medium.porous_answer))
     bind_choice(wave.jumps, _by_kind(wave.plain_jump, burning=wave.reactive_jump))
-    bind_choice(wave.falls, _by_kind(wave.release, energy=wave.energy_release))
     bind_choice(solid.waves, _by_kind(solid.plain_waves, solid=solid.solid_waves, porous=porous.porous_waves))
     bind_flag(wave.isolates, MIXTURE, "follows_isentrope")
     for function in (medium.mixed_phases, medium.mixed_answer, wave.drop, wave.both_drop, wave.isolated_jump, wave.step, wave.release,
-                     wave.energy_place, wave.energy_piece, wave.energy_release,
                      wave.compression, wave.reach, medium.strength_left, medium.deviator, *solid.KERNELS, *porous.KERNELS):
         bind(function, **search)
 

@@ -115,15 +115,24 @@ def pieces_at(flow, mesh: Mesh, face: int, averages: bool = False) -> tuple[Piec
 
 def _piece(flow, w, block: int, cell: int, region: int) -> Piece:
     """The state at a face of a cell, or its average where that is not sound."""
+    if flow.porous[region % len(flow.porous)]:
+        return _porous_piece(flow, w, block, cell, region)
     for rows in (block, MEAN):
         rho, u, e, *mixed = w[rows:rows + LAM + 3, cell].tolist()
         matter = flow.matter(region, *mixed)
-        if rho > 0.0 and has_memory(matter.par):
-            state = pores.state_of(rho, u, e, mixed, matter)
-            if wave_speed_squared(rho, e, elastic(matter, state)) > 0.0:
-                return Piece("state", region, state)
-            continue
         branch = Branch(matter.par)
         if rho > 0.0 and wave_speed_squared(rho, e, branch) > -COLD * u * u:
             break
     return Piece("state", region, with_deviator(rho, u, e, mixed[1], matter, float(stress(rho, e, branch))), matter=matter)
+
+
+def _porous_piece(flow, w, block: int, cell: int, region: int) -> Piece:
+    """The same of material whose pores stay crushed."""
+    found = []
+    for rows in (block, MEAN):
+        rho, u, e, *scalars = w[rows:rows + LAM + 3, cell].tolist()
+        matter = flow.matter(region, *scalars)
+        found.append(pores.state_of(max(rho, 1e-150), u, e, scalars, matter))
+        if rho > 0.0 and wave_speed_squared(rho, e, elastic(matter, found[-1])) > 0.0:
+            break
+    return Piece("state", region, found[-1])

@@ -118,7 +118,7 @@ def _tried(solve, flow, grid, f: int, given):
 def _in_solid(flow, grid, rows, k: int, f: int) -> None:
     """A shock in a solid or in pores, whose wave of the two the compiled march knows."""
     if not compiled.between(flow.rules, flow.work, rows, k, int(grid.region[f - 1]), int(grid.region[f])):
-        raise ArithmeticError("the Riemann problem at a shock with a precursor has no solution: no stress gives both sides the same velocity")
+        raise ArithmeticError("the Riemann problem at a shock with a precursor has no solution: no stress gives both sides one velocity")
     rows[k, SPEED_OF] = flow.work.w[SPEED, f]
     flow.work.flags[0, k] = float(rows[k, STRENGTH] < 0.5 * flow.bench.least(KINDS[int(rows[k, KIND])]))
 
