@@ -12,7 +12,6 @@ from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.riemann import jump, spreading
 from hugoniot.laws.riemann.branch import Branch, Matter, State, elastic, loading, wave_speed_squared
 from hugoniot.laws.riemann.curve import Curve
-from hugoniot.laws.riemann.solver import wall
 
 SOLID = MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0)
 
@@ -57,9 +56,9 @@ def test_a_shock_that_closes_pores_is_faster_than_weaker_ones_and_than_no_sound_
 
 def test_a_matrix_that_gives_way_before_its_pores_do_is_told():
     """Softer than its crush strength, it would be compacted to something less dense."""
-    law = p_lambda.build(SOLID, 1256.0, 0.68e9, 1.9e9, 1.0)
+    law = p_lambda.build(SOLID, 2481.0, 7.7e8, 9.3e7, 1.0)
     with pytest.raises(OutOfRange, match="matrix_modulus"):
-        wall(Curve(Matter(law), State(1256.0, 0.0, 0.0, 0.0), 1), 1200.0)
+        Curve(Matter(law), State(2481.0, 0.0, 0.0, 0.0), 1).waves(3.5e8)
 
 
 @pytest.mark.parametrize("law", [p_alpha.build(SOLID, 1.275, 0.08e9, 0.7e9), snow_plough.build(SOLID, 2100.0, 0.2e9),

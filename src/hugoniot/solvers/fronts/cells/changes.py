@@ -209,7 +209,10 @@ class Changes:
 def met(mesh: Mesh, length: float) -> list[tuple[int, int]]:
     """Runs of fronts (first face, last face) that have met."""
     first, counts = mesh.intervals()
-    closed = [f for f, n in zip(first.tolist(), counts.tolist()) if n == 1 and mesh.x[f + 1] - mesh.x[f] <= tables.TOUCHING * length]
+    speeds = [front.speed for front in mesh.fronts]
+    opens = [mesh.region[f] == EMPTY and a < b for f, a, b in zip(first.tolist(), speeds, speeds[1:])]      # a gap has no width at first
+    closed = [f for f, n, new in zip(first.tolist(), counts.tolist(), opens)
+              if n == 1 and not new and mesh.x[f + 1] - mesh.x[f] <= tables.TOUCHING * length]
     runs: list[list[int]] = []
     for f in closed:
         if runs and runs[-1][1] == f:
