@@ -6,6 +6,7 @@ from types import MappingProxyType
 import numpy as np
 import pytest
 
+from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.materials.material import Material
 from hugoniot.problem import fronts
 from hugoniot.problem.model import Boundary, Problem, Pulse, Region, SolverOptions
@@ -100,3 +101,19 @@ def test_solids_at_rest_side_by_side_stay_in_contact():
     problem = Problem("rest", "planar", 0.6e-6, regions, {"cu": Material("cu", COPPER), "al": Material("al", SOLID)}, FREE, FREE,
                       solver=SolverOptions("fronts", options=MappingProxyType({"mode": "cells"})))
     assert marched(problem).counts()["voids_opened"] == 0
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_layers_at_random_velocities_are_conserved(seed):
+    """Copper, gases and porous layers that hit, part and close again: 300 steps."""
+    rng = np.random.default_rng(seed)
+    names, x, regions, materials = ["copper", CONVEX[seed % 3], "gas", CONVEX[(seed + 1) % 3], "copper"], 0.0, [], {}
+    for k, name in enumerate(names[:int(rng.integers(3, 6))]):
+        width, start = float(rng.uniform(0.001, 0.004)), {"pressure": 1e5} if name == "gas" else {}
+        materials[f"m{k}"] = Material(f"m{k}", {"copper": COPPER, "gas": IdealGas(1.4)}.get(name) or LAWS[name])
+        regions.append(Region(f"r{k}", f"m{k}", x, x + width, 10, velocity=float(rng.uniform(-600.0, 600.0)), **start))
+        x += width
+    problem = Problem("random", "planar", 3e-6, tuple(regions), materials, FREE, FREE,
+                      solver=SolverOptions("fronts", options=MappingProxyType({"mode": "cells"})))
+    solver = marched(problem, most=300)
+    assert max(solver.errors().values()) < 1e-12

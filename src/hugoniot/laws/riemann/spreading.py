@@ -44,10 +44,13 @@ def loading_square(state: State, branch: Branch) -> float:
     return max(wave_speed_squared(state.rho * (1.0 + ABOVE), e, branch), 0.0)
 
 
-def overtaken(behind: State, flux: float, branch: Branch) -> bool:
-    """Whether sound behind a shock that closes pores is slower than it: no such shock lasts."""
+def overtaken(behind: State, flux: float, branch: Branch, missed: float = 0.0) -> bool:
+    """Whether sound behind a shock that closes pores is slower than it: no such shock lasts.
+
+    missed   share of its rise by which the state ahead may have missed the elastic limit
+    """
     square = wave_speed_squared(behind.rho * (1.0 - ABOVE), behind.e - ABOVE * behind.sigma / behind.rho, branch)
-    return not behind.rho * behind.rho * square >= (1.0 - CARELESS) * flux * flux
+    return not behind.rho * behind.rho * square >= (1.0 - CARELESS - 2.0 * missed) * flux * flux
 
 
 def crushed(state: State, par) -> State:
