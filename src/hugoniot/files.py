@@ -43,7 +43,7 @@ def read_regular(path, limit: int = LARGEST) -> bytes:
     with os.fdopen(open_regular(path), "rb") as file:
         data = file.read(limit + 1)
     if len(data) > limit:
-        raise FileTrouble(f"{path}: more than {limit / 1e6:g} MB; was another file meant?")
+        raise FileTrouble(f"{path}: larger than {limit / 1e6:g} MB; is this the right file?")
     return data
 
 

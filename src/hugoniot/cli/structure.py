@@ -26,8 +26,9 @@ DENSITY = Annotated[str | None, typer.Option("--density", help='Density ahead, "
 TEMPERATURE = Annotated[str | None, typer.Option("--temperature", help='Temperature ahead, "300 K".')]
 PRESSURE = Annotated[str | None, typer.Option("--pressure", help='Pressure ahead, "1 bar".')]
 UNIT = Annotated[str, typer.Option("--mean-free-path", help="Definition of the mean free path: bsl, chapman_enskog, viscous, vhs.")]
-BENT = Annotated[bool, typer.Option("--bent", help="Water, silica of Jordan 2011: the Grüneisen parameter adjusted to fit the jump.")]
-CSV = Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")]
+BENT = Annotated[bool, typer.Option("--bent", help="For the water and silica cases of Jordan 2011: use the Grüneisen parameter adjusted "
+                                                   "to fit the jump.")]
+CSV = Annotated[Path | None, typer.Option("--csv", help="Write the numbers, in SI, to this file.")]
 PLOT = Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")]
 
 
@@ -144,8 +145,8 @@ def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state, bent:
     from hugoniot.theory.structure import jordan as cases
 
     if bent and what not in cases.CONDENSED:
-        raise DeckError.single("command line", None, "--bent", f"'{what}' has no bent Grüneisen parameter",
-                               f"it belongs to the cases {', '.join(cases.CONDENSED)}")
+        raise DeckError.single("command line", None, "--bent", f"'{what}' has no adjusted Grüneisen parameter",
+                               f"the cases that have one are {', '.join(cases.CONDENSED)}")
     if what == "argon-jordan":
         law, ahead = cases.argon()
         found = {"eos": law, "ahead": ahead, "shock": {}, "transport": cases.argon_transport(_law_name(viscosity) or "power_law")}

@@ -16,7 +16,8 @@ FEWEST_ZONES = 10
 
 def verify(
     problems: Annotated[list[str] | None, typer.Argument(help="Names of standard problems (default: all).")] = None,
-    zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="Number of zones, not the standard grids; repeatable.")] = None,
+    zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="Number of zones, instead of the standard grids; "
+                                                                          "repeatable.")] = None,
     integrator: Annotated[str, typer.Option(help="compatible or wilkins.")] = "compatible",
     solver: Annotated[str, typer.Option(help='lagrange1d, or fronts (tracked fronts, mode = "cells").')] = "lagrange1d",
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,

@@ -48,7 +48,7 @@ def cache_folder() -> pathlib.Path | None:
     except OSError as error:
         trouble = f"{error.filename or folder}: {error.strerror}"
     if trouble:
-        not_kept(f"{trouble}; name another folder in HUGONIOT_CACHE, or make it yours alone (chmod 700)")
+        not_kept(f"{trouble}; set HUGONIOT_CACHE to another folder, or make this one private (chmod 700)")
         return None
     return folder
 

@@ -104,11 +104,11 @@ def write_deck(problem: Any, kind: str | None = None) -> str:
 def parse_deck(text: str, name: str) -> dict:
     """The tables of a deck's text, not looked at yet. Raises `DeckError` where it is not TOML."""
     if len(text) > LARGEST:
-        raise DeckError.single(name, None, "deck", f"more than {LARGEST} characters are too many for a deck", "was another file meant?")
+        raise DeckError.single(name, None, "deck", f"a deck cannot have more than {LARGEST} characters", "is this the right file?")
     long = LONG_KEY.search(text)
     if long is not None:
         line = text.count("\n", 0, long.start()) + 1
-        raise DeckError.single(name, line, "deck", f"a key of more than {DEEPEST} parts", "was another file meant?")
+        raise DeckError.single(name, line, "deck", f"a key of more than {DEEPEST} parts", "is this the right file?")
     try:
         raw = tomllib.loads(text)
         _check_values(raw, name)
@@ -201,7 +201,7 @@ def _override(raw: dict, key: str, value: Any, collector: Collector) -> None:
             break
     if not isinstance(here, dict):
         hint = "write it like region.flyer.velocity"
-        raise DeckError.single(collector.file, None, printable(key), "no such place in the deck to override", hint)
+        raise DeckError.single(collector.file, None, printable(key), "the deck has no such key to override", hint)
     if isinstance(value, dict) and isinstance(here.get(last), dict):
         for inner, v in value.items():
             _override(here[last], inner, v, collector)

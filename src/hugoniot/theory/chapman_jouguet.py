@@ -213,7 +213,7 @@ def _tangency(par, ahead, v0, least, most):
             break
     if low is None or high is None:
         raise OutOfRange(f"law '{EOS.of(par).name}' has no Chapman-Jouguet point for an initial density of {ahead.density:.6g} kg/m3: "
-                         f"the upstream energy {ahead.energy:.6g} J/kg with heat {ahead.heat:.6g} J/kg releases nothing; "
+                         f"with an upstream energy of {ahead.energy:.6g} J/kg and a heat of {ahead.heat:.6g} J/kg no energy is released; "
                          "give the heat of reaction")
     side = 0
     for _ in range(200):

@@ -171,14 +171,14 @@ def meeting(below: Stream, above: Stream, angle: float = 0.0) -> Meeting:
 
     high = min(below.detachment[0], above.detachment[0])
     if high <= max(below.ahead.pressure, above.ahead.pressure) and excess(high) < 0.0:
-        raise NoSolution("the stream of lower pressure cannot be shocked to that of the other without detaching")
+        raise NoSolution("no attached shock raises the stream of lower pressure to the pressure of the other")
     if excess(high) < 0.0:
         raise NoSolution(f"the streams meet at {math.degrees(-angle):.5g} degrees; attached weak shocks can deflect them by at most "
                          f"{math.degrees(below.deflection(high) + above.deflection(high)):.5g} degrees: the wave detaches")
     low = min(below.ahead.pressure, above.ahead.pressure)
     while excess(low) > 0.0:
         if low < 1e-9 * high or low <= 0.0:
-            raise NoSolution("the streams part faster than they can expand: a vacuum opens between them")
+            raise NoSolution("the streams move apart faster than they can expand: a vacuum opens between them")
         low *= 0.7
     for _ in range(100):
         middle = 0.5 * (low + high)

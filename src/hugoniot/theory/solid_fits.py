@@ -45,7 +45,7 @@ def fit_solid(rho0: float, gamma0: float, up, us) -> SolidFit:
         raise OutOfRange("four constants and a deviation need six different particle velocities above 0")
     x, p = (up / us)[usable], (rho0 * us * up)[usable]
     if not 0.5 * gamma0 * float(x.max()) < 1.0:
-        raise OutOfRange(f"gamma0 = {gamma0:g} puts the pole of the Hugoniot inside the points")
+        raise OutOfRange(f"gamma0 = {gamma0:g} puts the pole of the Hugoniot within the range of the points")
 
     def columns(r):
         return np.column_stack([(1.0 - gamma0 / k) * (np.exp(-k * (1.0 - x)) - np.exp(-k)) / (1.0 - 0.5 * gamma0 * x) / p for k in r])

@@ -143,7 +143,7 @@ def _rate_function(rate, zone) -> Callable[[Point], float]:
         return lambda point: rate(point.density, point.energy, point.pressure, point.fraction)
     law = BURN.of(rate)
     if {"programmed", "instantaneous"} & law.flags:
-        raise OutOfRange(f"the burn law '{law.name}' burns by a schedule or at once and has no rate, so its zone has no structure: "
+        raise OutOfRange(f"the burn law '{law.name}' is programmed or instantaneous, without a rate, so its zone has no structure: "
                          "give a rate, such as ignition_growth, arrhenius or pressure_power")
     warm = "temperature_driven" in law.flags
     if warm and not math.isfinite(zone.temperature(zone.at(0.0))):

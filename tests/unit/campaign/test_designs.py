@@ -91,7 +91,7 @@ def test_samples_fill_the_ranges_and_come_again_with_their_seed():
     (["a.b = 0..1"], {"kind": "sobol", "samples": 100}, "64 or 128"),
     (["a.b = 0..1"], {"kind": "lhs", "samples": 10**9}, "1 000 000 000 cases are too many"),
     (["a.b = 0..1"], {"kind": "lhs", "samples": 0}, "not a valid number of cases"),
-    (["a.b = 0..1 : 3"], {"samples": 4}, "as many cases as its values make"),
+    (["a.b = 0..1 : 3"], {"samples": 4}, "follows from its values"),
     (["a.b = 0..1 : 3"], {"kind": "magic"}, "unknown design"),
     ([], {}, "nothing is varied"),
 ])

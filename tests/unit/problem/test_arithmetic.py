@@ -64,7 +64,7 @@ def test_a_value_goes_into_a_deck_with_its_unit():
     ("[1, 2][0]", "not allowed in an expression"),
     ("speed if ratio else speed", "not allowed in an expression"),
     ("speed > 1", "not allowed in an expression"),
-    ("ratio // 2", "an operator"),
+    ("ratio // 2", "this operator"),
     ("True + 1", "not allowed in an expression"),
     ("sqrt(2, 3)", "one value"),
     ("min(2)", "two to 20 values"),

@@ -70,14 +70,15 @@ def mixture(
                                                            "isentrope and, without --at, the state.")] = "",
     fractions: Annotated[str, typer.Option("--burn-fraction", help="Burn fractions, separated by commas.")] = "0, 0.25, 0.5, 0.75, 1",
     closure: Annotated[list[str] | None, typer.Option("--closure", help=CLOSURE + "; default: isolation and equilibrium.")] = None,
-    adiabat: Annotated[str | None, typer.Option("--adiabat", help='Follow the adiabat from the first burn fraction to this density, '
+    adiabat: Annotated[str | None, typer.Option("--adiabat", help='Follow the adiabat from the state of the first burn fraction to this '
+                                                                  'density, '
                                                                   '"1 g/cm^3".')] = None,
     burn_to: Annotated[float | None, typer.Option("--burn-to", min=0.0, max=1.0, help="Burn fraction at the end of the adiabat, reached in "
                                                                                     "proportion to the volume; default: frozen.")] = None,
     frozen: Annotated[str | None, typer.Option("--hugoniot", help='Shocks up to "40 GPa", without reaction in them or with '
                                                                 "--reacted.")] = None,
     reacted: Annotated[float, typer.Option("--reacted", min=0.0, max=1.0, help="Mass fraction that burns inside the shock.")] = 0.0,
-    series: Annotated[bool, typer.Option("--series", help="Give the series for small burn fraction instead.")] = False,
+    series: Annotated[bool, typer.Option("--series", help="Give the series for small burn fractions instead.")] = False,
     heat: Annotated[str | None, typer.Option("--heat", help='Chemical energy, "5 MJ/kg"; default: from the laws.')] = None,
     points: Annotated[int, typer.Option("--points", min=2, max=10000, help="States along an adiabat or Hugoniot.")] = 41,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,

@@ -10,7 +10,7 @@ MATERIALS = Annotated[list[str], typer.Argument(metavar="MATERIAL...", help="Lib
 EXPLOSIVE = Annotated[str, typer.Argument(metavar="EXPLOSIVE", help="A library name or a TOML file with eos, unreacted and burn.")]
 AT = Annotated[str | None, typer.Option("--at", help='A state on the Hugoniot: "pressure = 10 GPa", "particle_velocity = 500 m/s", '
                                                      '"shock_velocity = 6 km/s" or "density = 3 g/cm^3".')]
-CSV = Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")]
+CSV = Annotated[Path | None, typer.Option("--csv", help="Write the numbers, in SI, to this file.")]
 PLOT = Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")]
 POINTS = Annotated[int, typer.Option("--points", min=2, max=100000, help="States along the curve.")]
 HEAT = Annotated[str | None, typer.Option("--heat", help='Heat of reaction for a law without chemical energy, "6.27 MJ/kg".')]

@@ -17,7 +17,7 @@ def stability(
                                                          "Arrhenius step.")] = None,
     gamma: Annotated[float | None, typer.Option("--gamma", help="Ratio of specific heats of the gas (default 1.2).")] = None,
     heat: Annotated[str | None, typer.Option("--heat", help="Heat release over pressure/density ahead (default 50); with an explosive: "
-                                                            'the heat that its one law releases, "5 MJ/kg".')] = None,
+                                                            'the heat of reaction, where it has one law only, "5 MJ/kg".')] = None,
     activation: Annotated[float | None, typer.Option("--activation",
                                                               help="Activation energy over pressure/density ahead (default 50).")] = None,
     overdrive: Annotated[float, typer.Option("--overdrive", help="f = (D/D_CJ)^2, at least 1.0005; CJ is the limit from above.")] = 1.6,

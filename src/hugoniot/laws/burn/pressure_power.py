@@ -40,7 +40,8 @@ def build(*values, **named) -> PressurePower:
     """Parameters; OutOfRange for a negative one, or a reference pressure of 0."""
     par = without_negatives("pressure power", PressurePower(*values, **named))
     if not par.reference_pressure > 0.0:
-        raise OutOfRange("pressure power: reference_pressure must be positive, as the rate constant is the rate at it; got 0 Pa")
+        raise OutOfRange("pressure power: reference_pressure must be positive, because the rate constant is the rate at that pressure; "
+                         "got 0 Pa")
     return par
 
 

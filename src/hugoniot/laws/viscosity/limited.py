@@ -47,7 +47,7 @@ VISCOSITY.add(
     example=Limited(),
     units={"quadratic": "1", "linear": "1", "linear_condensed": "1"},
     meaning={"quadratic": "c2, (gamma + 1)/4 for an ideal gas",
-             "linear": "c1, weight of the sound speed; 0 in explosives that burn by a schedule alone",
+             "linear": "c1, weight of the sound speed; 0 in explosives whose burn is programmed alone",
              "linear_condensed": "c1 in nonporous solids and liquids (with strength: in strong jumps only); linear if only that is given"},
     defaults={"quadratic": 2.0 / 3.0, "linear": 0.3, "linear_condensed": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},

@@ -109,8 +109,8 @@ def unresolved(problem: Problem, resolution, ranges) -> list[str]:
         held = resolution[a:b]
         held = held[held < 1e299]
         if held.size and np.median(held) < ZONES_NEEDED:
-            told.append(f"region '{region.name}' burned within {np.median(held):.3g} zones (median over its zones): its rate is not "
-                        f"resolved; {ZONES_NEEDED:g} zones are needed, so make them {ZONES_NEEDED / np.median(held):.2f} times smaller")
+            told.append(f"region '{region.name}' burned within {np.median(held):.3g} zones (median over its zones), so its reaction zone "
+                        f"is not resolved; {ZONES_NEEDED:g} zones are needed: make them {ZONES_NEEDED / np.median(held):.2f} times smaller")
     return told
 
 

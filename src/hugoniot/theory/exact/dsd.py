@@ -47,7 +47,7 @@ def dsd_expansion(geometry: str = "cylindrical", detonation_velocity: float = 80
         raise OutOfRange("an expanding front is cylindrical or spherical")
     d, lag = detonation_velocity, n * curvature_length
     if min(d, curvature_length) <= 0.0 or radius <= lag:
-        raise OutOfRange(f"the front starts at a radius beyond {lag:g} m, where its velocity would vanish")
+        raise OutOfRange(f"the front must start at a radius above {lag:g} m, where its velocity would vanish")
 
     def burn_time(r):
         return (r - radius + lag * np.log((r - lag) / (radius - lag))) / d

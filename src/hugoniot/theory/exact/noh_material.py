@@ -69,13 +69,13 @@ def _plateau(par, d: int, rho0: float, p1: float, e1: float, speed: float) -> tu
     # Towards a fast shock the material is hardly compressed and the law gives less pressure than the jump asks for.
     high = 1e3 * speed + 1e5
     if not excess(high) < 0.0:
-        raise NoSolution("Noh's problem: no shock slower than a thousand times the inflow stops it")
+        raise NoSolution("Noh's problem: no shock of up to a thousand times the speed of the inflow stops it")
     with np.errstate(all="ignore"):
         low = high
         while not excess(low) > 0.0:
             low /= 1.05
             if low < 1e-4 * speed:
-                raise NoSolution("Noh's problem: no shock stops the inflow: the law ends before the compression that this needs")
+                raise NoSolution("Noh's problem: no shock stops the inflow: the law does not reach the compression that this needs")
         high = 1.05 * low
     for _ in range(100):
         middle = 0.5 * (low + high)
