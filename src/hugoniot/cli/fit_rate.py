@@ -24,7 +24,7 @@ def command(
 ) -> None:
     """Calibrate a few constants of a burn law to a measured Pop plot.
 
-    All other constants and both equations of state are kept. This is `hugoniot fit` with a Pop plot for its record: the same search, with
+    All other constants and both equations of state are kept. This is `hugoniot fit` with a Pop plot as its record: the same search, with
     standard deviations, intervals and notes, and with --out the same files. At the end every run is repeated with zones half the size, and
     the table of the burn law is printed for a deck. This takes a few minutes.
 

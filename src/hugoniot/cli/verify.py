@@ -25,7 +25,7 @@ def verify(
     """Run the built-in standard problems and print the errors, their limits, and the observed order of convergence.
 
     The limits are the errors of the KO scheme and of a second-order Godunov scheme on the same grid (in two dimensions: of the best open
-    code), and the goal of this package. Problems in two dimensions, and those with tracked fronts of their own, are left out where --zones
+    code), and the goal of this package. Problems in two dimensions, and those for tracked fronts alone, are left out if --zones
     or --integrator is given, unless they are named.
 
     Example: hugoniot verify sod noh_planar

@@ -40,7 +40,7 @@ def convert(
                                                                                  'g/cm^3".')],
     as_json: JSON = False,
 ) -> None:
-    """Constants of a fit as k0', k1', k2' of Herrmann's series; with rho0 and gamma0 also the law, as a deck has it.
+    """Convert the constants of a fit to k0', k1', k2' of Herrmann's series; with rho0 and gamma0 also print the law for a deck.
 
     gamma0 may follow from expansion and heat_at_pressure (gamma0 = k0' alpha/(rho0 c_p)); gamma1 to gamma3 are 0 unless given.
 

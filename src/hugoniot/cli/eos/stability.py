@@ -27,8 +27,8 @@ def stability(
 ) -> None:
     """Normal modes of a plane ZND wave: of an explosive with its equations of state, mixture and rate, or of an ideal gas with one step.
 
-    For an explosive the unit of time is its half-reaction length over D. For the gas, lengths are in half-reaction lengths and times in
-    these over sqrt(pressure/density) ahead.
+    For an explosive the unit of time is its half-reaction length over D. For the gas, lengths are in half-reaction lengths and times
+    in half-reaction lengths over sqrt(pressure/density) of the gas ahead.
 
     Examples: hugoniot eos stability lx_17 --overdrive 1.1; hugoniot eos stability --activation 26 --overdrive 1.001 --highest 1
     """
