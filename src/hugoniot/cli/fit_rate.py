@@ -68,7 +68,7 @@ def _started(material, text: str):
         try:
             given[name] = float(value)
         except ValueError:
-            raise DeckError.single("command line", None, "--start", f"'{part.strip()[:40]}' is not a constant with a number",
+            raise DeckError.single("command line", None, "--start", f"'{part.strip()[:40]}' is not of the form NAME = NUMBER",
                                    'write "y = 2.5, g1 = 8e-19"') from None
     if not given:
         return material

@@ -192,8 +192,8 @@ def _grid(record: Record, name: str, units) -> Grid:
     if len(words) < needed:
         raise _short(record, name, f"{n} densities x {m} temperatures need {needed} words", words)
     if len(words) >= needed + 2 * n * m:
-        raise DeckError.single(name, record.line, str(record.number), "has four values or more at each point, where p, e and the free "
-                               "energy belong: such a file of ANEOS holds entropies and sound speeds", "give NEW-SESAME-STD.TXT")
+        raise DeckError.single(name, record.line, str(record.number), "has four values or more at each point instead of pressure, energy "
+                               "and free energy: such an ANEOS file also holds entropies and sound speeds", "give NEW-SESAME-STD.TXT")
     arrays = [np.array(words[k:k + n * m]).reshape(m, n).T for k in range(2 + n + m, len(words) - n * m + 1, n * m)]
     free = arrays[2] * units[3] if len(arrays) > 2 else None
     return Grid(record.number, record.line, np.array(words[2:2 + n]) * units[0], np.array(words[2 + n:2 + n + m]) * units[1],

@@ -229,7 +229,7 @@ def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Coll
         elif (a, b) in found:
             collector.add((*path, "between"), f"the pair '{row.between[0]}' and '{row.between[1]}' is described twice")
         elif row.kind == "bond" and regions[b].start > regions[a].end:
-            collector.add((*path, "between"), f"'{regions[a].name}' and '{regions[b].name}' do not touch: a bond acts from the start",
+            collector.add((*path, "between"), f"'{regions[a].name}' and '{regions[b].name}' do not touch, but a bond acts from the start",
                           'kind = "bonded" joins them when they meet')
         else:
             found[a, b] = Interface(regions[a].name, regions[b].name, row.kind, row.strength or 0.0)

@@ -209,7 +209,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     problem = completed(Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, solver,
                                 output, lighting, **more))
     if len(problem.gauges) > MOST_GAUGES:
-        collector.add(("gauge",), f"{len(problem.gauges)} gauges are too many, with those beside interfaces and on free surfaces",
+        collector.add(("gauge",), f"{len(problem.gauges)} gauges are too many (those beside interfaces and on free surfaces are counted)",
                       f"the limit is {MOST_GAUGES}")
     for defect in (*explosives.defects(problem), *periodic.defects(problem), *terms.defects(problem), *windows.defects(problem),
                    *output_fields.defects(problem.output, problem.regions, problem.materials)):

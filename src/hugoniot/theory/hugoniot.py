@@ -185,12 +185,12 @@ def _targets(name, value, ahead: Initial, direction: int):
         values = direction * (values - ahead.velocity)
         if (values < 0.0).any():
             raise OutOfRange(f"a {name.replace('_', ' ')} of {values.min():.6g} m/s relative to the material ahead, along the shock, "
-                             "would expand it: a Hugoniot holds in compression only, use an isentrope for release")
+                             "would expand it: a Hugoniot is valid in compression only; use an isentrope for release")
         if mode == jump.BY_SHOCK_VELOCITY and (values == 0.0).any():
             raise OutOfRange("the shock velocity cannot be zero: a shock is faster than sound in the material ahead")
     if mode == jump.BY_PRESSURE and (values < ahead.pressure).any():
         raise OutOfRange(f"a pressure of {values.min():.6g} Pa is below the {ahead.pressure:.6g} Pa ahead of the shock: "
-                         "a Hugoniot holds in compression only, use an isentrope for release")
+                         "a Hugoniot is valid in compression only; use an isentrope for release")
     return mode, values * ahead.density if mode == jump.BY_SHOCK_VELOCITY else values
 
 

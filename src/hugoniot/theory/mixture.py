@@ -242,7 +242,7 @@ def adiabat(start: MixtureState, volumes, burn_fraction: Callable[[float], float
     def slope(v, e):
         found = contract.equilibrate(1.0 / v, float(e[0]), lam(v), mixed, par)
         if found.status != contract.CONVERGED:
-            raise NoSolution(f"the adiabat meets a volume of {v:.6g} m^3/kg at burn fraction {lam(v):.6g} where "
+            raise NoSolution(f"the adiabat reaches a volume of {v:.6g} m^3/kg at burn fraction {lam(v):.6g} where "
                              f"{contract.MEANING[found.status]}")
         return [-found.pressure]
 

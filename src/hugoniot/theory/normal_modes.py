@@ -60,8 +60,8 @@ class ModesOfZone:
 
     def __init__(self, material, initial: Initial, rate: Any, overdrive: float, panel: float = PANEL):
         if not overdrive >= CLOSEST:
-            raise OutOfRange(f"the overdrive {overdrive:g} must be at least {CLOSEST:g}: towards 1 the end of the zone becomes sonic, "
-                             "and the limit is taken from above")
+            raise OutOfRange(f"the overdrive {overdrive:g} must be at least {CLOSEST:g}: at 1 the end of the zone is sonic, "
+                             "and that limit can only be approached from above")
         if not BURN.knows(rate):
             raise OutOfRange("normal modes need a burn law: the derivatives of its rate by density, pressure and temperature are used")
         self.zone, self.chapman_jouguet, times = zone_of(material, initial, rate, overdrive=overdrive)

@@ -53,8 +53,8 @@ class Wave:
             raise OutOfRange(f"gamma = {self.gamma:g} must exceed 1, the heat {self.heat:g} must be positive and the activation energy "
                              f"{self.activation:g} not negative")
         if not self.overdrive >= CLOSEST:
-            raise OutOfRange(f"the overdrive {self.overdrive:g} must be at least {CLOSEST:g}: towards 1 the end of the zone becomes sonic, "
-                             "and the limit is taken from above")
+            raise OutOfRange(f"the overdrive {self.overdrive:g} must be at least {CLOSEST:g}: at 1 the end of the zone is sonic, "
+                             "and that limit can only be approached from above")
 
     @cached_property
     def velocity(self) -> float:

@@ -101,7 +101,8 @@ def match(
     if len(materials) < 2:
         raise DeckError.single("command line", None, "match", "an impact needs a flyer and at least one target", "name two or more")
     if ring_up and len(materials) < 3:
-        raise DeckError.single("command line", None, "--ring-up", "a layer rings up between two others", "name three materials or more")
+        raise DeckError.single("command line", None, "--ring-up", "--ring-up needs a layer between two "
+                                                                  "others", "name three materials or more")
     speed = quantity(velocity, "m/s", "--velocity")
     if thickness:
         if len(thickness) != len(materials):

@@ -76,7 +76,8 @@ def mixture_of(subject: Subject, closure: str | None = None, heat: float | None 
     kind = closure_of(closure) if closure else burning.closure(material)
     found = mixture(kind, material.unreacted, material.eos, material.detonation_energy if heat is None else heat)
     if hasattr(found, "detonation_energy") and not found.detonation_energy > 0.0:
-        raise OutOfRange(f"burning {material.name} would release {found.detonation_energy:.6g} J/kg: give its chemical energy as "
+        raise OutOfRange(f"burning {material.name} would release {found.detonation_energy:.6g} J/kg, which is not positive: give its "
+                         "chemical energy as "
                          "detonation_energy in a TOML file (for eos mixture also with --heat), or products with their E0")
     return found
 

@@ -154,7 +154,7 @@ def _spreads(subjects: list[Subject], velocity, error, samples):
     layers = [s.material for s in subjects]
     values, sigmas, together = uncertain((s.rows, s.material) for s in subjects if LIBRARY in error)
     if LIBRARY in error and not sigmas:
-        raise DeckError.single("command line", None, "--error", "the library has no Hugoniot fit of its own for any of these materials",
+        raise DeckError.single("command line", None, "--error", "the package has fitted no Hugoniot of these materials itself",
                                'give their errors: "copper.c0 = 20 m/s"')
     values["velocity"] = velocity
     for key, text in error_bars([text for text in error if text != LIBRARY]).items():

@@ -50,7 +50,7 @@ class Case(NamedTuple):
 def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
     """Solve for every closure; print, write and draw what is asked."""
     if asked.reacted and asked.hugoniot is None:
-        raise DeckError.single("command line", None, "--reacted", "belongs to --hugoniot", 'add --hugoniot "40 GPa"')
+        raise DeckError.single("command line", None, "--reacted", "applies to --hugoniot only", 'add --hugoniot "40 GPa"')
     if sum((asked.adiabat is not None, asked.hugoniot is not None, asked.series)) > 1:
         raise DeckError.single("command line", None, "mixture", "--adiabat, --hugoniot and --series exclude each other", "give one of them")
     subject = find_material(name)

@@ -37,7 +37,8 @@ class Solution:
     def _checked(self, time: float) -> float:
         if not self.times[0] <= time <= self.times[1]:
             start = "above 0" if self.times[0] == 1e-300 else f"from {self.times[0]:g}"
-            raise OutOfRange(f"{self.title}: time {time:g} is outside those for which the solution holds, {start} to {self.times[1]:g}")
+            raise OutOfRange(f"{self.title}: time {time:g} is outside the times for which the solution is valid, {start} to "
+                             f"{self.times[1]:g}")
         return float(time)
 
     def __call__(self, positions, time: float) -> dict[str, np.ndarray]:
