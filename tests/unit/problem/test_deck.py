@@ -190,7 +190,7 @@ def test_overrides_reach_regions_by_name_and_are_checked(tmp_path):
     assert (p.regions[0].velocity, p.solver.courant, p.stop_time) == (3000.0, 0.25, 2e-6)
     with pytest.raises(DeckError, match="region.a.velocity: expected a velocity"):
         read_deck(path, {"region.a.velocity": "3 km"})
-    with pytest.raises(DeckError, match="no such place"):
+    with pytest.raises(DeckError, match="no such key to override"):
         read_deck(path, {"region.b.velocity": 3.0})
 
 

@@ -36,7 +36,7 @@ def stability(
     if explosive is not None:
         for name, value in given.items():
             if value is not None:
-                raise DeckError.single("command line", None, name, "applies to the ideal gas only, and an explosive is given", "omit one")
+                raise DeckError.single("command line", None, name, "applies to the ideal gas only, but an explosive is given", "omit one")
         _of_explosive(explosive, closure, rate, heat, overdrive, highest, as_json)
         return
     for name, value in {"--closure": closure, "--rate": rate}.items():
