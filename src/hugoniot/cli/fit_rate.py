@@ -16,7 +16,8 @@ def command(
     adjust: Annotated[str, typer.Option("--adjust", help="Constants of the burn law to change.")] = "g1, y",
     start: Annotated[str, typer.Option("--start", help='Constants to set before the search, in SI: "y = 2.5, g1 = 8e-19, g2 = 0".')] = "",
     pressures: Annotated[str, typer.Option("--pressures", "-p", help='Input pressures: "3..15 GPa", or "8, 11, 15 GPa".')] = "3..15 GPa",
-    points: Annotated[int, typer.Option("--points", min=2, max=50, help="Number of runs over a range, at equal ratios of pressure.")] = 5,
+    points: Annotated[int, typer.Option("--points", min=2, max=50, help="Number of runs over a range, spaced logarithmically in "
+                                                                        "pressure.")] = 5,
     zones: Annotated[int, typer.Option("--zones", min=50, max=5000, help="Zones per run distance during the search.")] = 200,
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Number of runs at the same time.")] = 1,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder for fit.json, residuals.csv and report.html.")] = None,

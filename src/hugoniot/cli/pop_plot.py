@@ -18,7 +18,8 @@ def command(
     material: Annotated[str, typer.Argument(help='An explosive with a reaction rate: "LX-17 reactive", a set of the library (G014), or '
                                                  'your own TOML file.')],
     pressures: Annotated[str, typer.Option("--pressures", "-p", help='Input pressures: "3..15 GPa", or "8, 11, 15 GPa".')] = "3..15 GPa",
-    points: Annotated[int, typer.Option("--points", min=2, max=200, help="Number of runs over a range, at equal ratios of pressure.")] = 6,
+    points: Annotated[int, typer.Option("--points", min=2, max=200, help="Number of runs over a range, spaced logarithmically in "
+                                                                         "pressure.")] = 6,
     zone_size: Annotated[str, typer.Option("--zone-size", help="Size of the zones.")] = "20 um",
     longest: Annotated[str, typer.Option("--longest", help="Longest charge tried.")] = "60 mm",
     mixture: Annotated[str, typer.Option("--mixture", help="Closure of reactants and products, instead of the material's.")] = "",
