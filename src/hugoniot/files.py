@@ -23,7 +23,7 @@ _WITHOUT_WAITING = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_C
 def open_regular(path, flags: int = _WITHOUT_WAITING) -> int:
     """Handle of a regular file, opened without waiting.
 
-    `FileTrouble` for a device, a pipe, a folder or what cannot be a name; `OSError` as the system raises it.
+    `FileTrouble` for a device, a pipe, a folder or what is not a valid name; `OSError` as the system raises it.
     """
     try:
         handle = os.open(path, flags)

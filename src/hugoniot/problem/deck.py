@@ -163,7 +163,7 @@ def _materials(raw: dict, collector: Collector) -> dict:
         return {}
     for name in tables:
         if not name.strip() or not name.isprintable() or len(name) > 60:
-            collector.add(("material", name), f"'{printable(name)}' cannot be a name", "use up to 60 printable characters")
+            collector.add(("material", name), f"'{printable(name)}' is not a valid name", "use up to 60 printable characters")
     return {name: read_material(name, table, collector, ("material", name)) for name, table in tables.items()}
 
 

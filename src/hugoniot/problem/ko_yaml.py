@@ -139,7 +139,7 @@ class _Reader:
             if (fracture := fracture_table(limit, least)) is not None:
                 tables["fracture"] = fracture
         if here.get("gravity") is not None:
-            left.append(f"{key}: a start in equilibrium with gravity is left out; [region.profile] can give the pressure over position")
+            left.append(f"{key}: the initial equilibrium with gravity is left out; [region.profile] can give the pressure over position")
         return Layer(str(eos.get("name", key)), self.number(mesh, "xstart", "length", where=key),
                      self.number(mesh, "length", "length", where=key), self.cells(mesh, key),
                      self.number(start, "up0", "velocity", 0.0, where=key), density, self.number(start, "e0", "sp_energy", 0.0, where=key),

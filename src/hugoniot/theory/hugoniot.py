@@ -62,7 +62,7 @@ def curve(material, initial: Initial | None = None, *, points: int = 101, up_to:
     ahead = initial or Initial.at_rest(par)
     end = (getattr(material, "valid_up_to", None) or _reach(par, ahead)) if up_to is None else up_to
     if not end > 0.0:
-        raise OutOfRange(f"a Hugoniot goes up to a positive particle velocity, not to {end:.6g} m/s")
+        raise OutOfRange(f"the last particle velocity of a Hugoniot must be positive, got {end:.6g} m/s")
     if points < 2:
         raise OutOfRange(f"a curve needs two points or more, got {points}")
     jumps = np.linspace(1e-3 * end if ahead.heat else 0.0, end, points)

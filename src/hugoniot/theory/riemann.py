@@ -59,7 +59,7 @@ class Riemann:
     def __call__(self, x, t=1.0) -> dict:
         """The fields at positions x (m, the diaphragm at 0) and time t > 0 (s)."""
         if not t > 0.0:
-            raise OutOfRange(f"a Riemann solution is sampled at a time after zero, not at {t}")
+            raise OutOfRange(f"a Riemann solution needs a time above 0 s, got {t}")
         speed = np.asarray(x, float) / t
         xi = np.atleast_1d(speed).ravel()
         middle = 0.5 * (self.left.behind.particle_velocity + self.right.behind.particle_velocity)

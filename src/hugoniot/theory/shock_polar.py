@@ -132,7 +132,7 @@ class Stream:
     def _turning(self, low: float, high: float) -> float:
         """Turning angle of the part of the fan between two pressures, rad."""
         if not low > 0.0:
-            raise OutOfRange(f"a fan is followed to a positive pressure, not to {low:.6g} Pa")
+            raise OutOfRange(f"the final pressure of a fan must be positive, got {low:.6g} Pa")
         middle, half = 0.5 * math.log(low * high), 0.5 * math.log(high / low)
         p = np.exp(middle + half * _NODES)
         q2, c2, rho = self._along(p)

@@ -42,7 +42,7 @@ def fit_solid(rho0: float, gamma0: float, up, us) -> SolidFit:
     up, us = np.asarray(up, float), np.asarray(us, float)
     usable = (up > 0.0) & (us > up) & np.isfinite(up * us)
     if np.unique(up[usable]).size < 6:
-        raise OutOfRange("four constants and a deviation need six different particle velocities above 0")
+        raise OutOfRange("a fit of four constants and a deviation needs six different particle velocities above 0")
     x, p = (up / us)[usable], (rho0 * us * up)[usable]
     if not 0.5 * gamma0 * float(x.max()) < 1.0:
         raise OutOfRange(f"gamma0 = {gamma0:g} puts the pole of the Hugoniot within the range of the points")

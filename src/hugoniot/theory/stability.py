@@ -150,7 +150,7 @@ def nearest(residual: Callable[[complex], complex], guess: complex) -> Mode:
         a, fa, b, fb = b, fb, new, residual(new)
         if abs(b - a) <= 1e-10 * abs(b) and abs(fb) <= most:      # beside a steep rise the secants shrink where there is no zero
             return Mode(b.real, abs(b.imag), abs(fb))
-    raise NoSolution(f"no mode was found from {guess:.4g}")
+    raise NoSolution(f"no mode was found near the starting value {guess:.4g}")
 
 
 def growing(residual: Callable[[complex], complex], highest: float, spacing: float) -> list[Mode]:

@@ -27,7 +27,7 @@ class Window:
         problem = solver.problem
         region = problem.regions[0]
         if len(problem.regions) > 1 or problem.dimension > 1 or region.ratio != 1.0 or solver.staggered:
-            raise OutOfRange("a window moves over one planar region of equal zones with integrator \"compatible\"")
+            raise OutOfRange("a moving window needs one planar region of equal zones and integrator \"compatible\"")
         self.solver, self.size = solver, (region.end - region.start) / region.zones
         self._behind = 0.0
         self.mass = float(solver.zones[Z.mass, 0])

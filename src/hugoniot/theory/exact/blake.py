@@ -46,7 +46,7 @@ def blake(pressure: float = 1e6, radius: float = 0.1, density: float = 3000.0, b
 
     def profile(r, time):
         if (r < a * (1.0 - 1e-12)).any():
-            raise OutOfRange(f"the solid begins at the cavity's radius, {a:g} m")
+            raise OutOfRange(f"a position lies inside the cavity, whose radius is {a:g} m")
         tau = time - (r - a) / c
         behind = tau >= 0.0
         f, f1, f2 = (np.where(behind, values, 0.0) for values in potential(np.where(behind, tau, 0.0)))

@@ -58,7 +58,7 @@ def dsd_expansion(geometry: str = "cylindrical", detonation_velocity: float = 80
 
     def profile(r, time):
         if (r < radius).any():
-            raise OutOfRange(f"the front starts at the radius {radius:g} m")
+            raise OutOfRange(f"a position lies inside the radius at which the front starts, {radius:g} m")
         return {"burn_time": burn_time(r), "shock_velocity": d * (1.0 - lag / r)}
 
     numbers = {"first_velocity": d * (1.0 - lag / radius), "delay": lag / d}
@@ -84,7 +84,7 @@ def dsd_rate_stick(geometry: str = "cylindrical", detonation_velocity: float = 8
 
     def profile(r, time):
         if (np.abs(r) > radius * (1.0 + 1e-12)).any():
-            raise OutOfRange(f"the stick ends at {radius:g} m")
+            raise OutOfRange(f"a position lies outside the stick, whose radius is {radius:g} m")
         phi, lag = shape(np.minimum(np.abs(r) / curvature_length, scale))
         return {"lag": curvature_length * lag, "slope_angle": np.degrees(phi), "shock_velocity": delta * detonation_velocity * np.cos(phi)}
 

@@ -40,7 +40,7 @@ def dsd_rate_stick_start(geometry: str = "cylindrical", detonation_velocity: flo
 
     def profile(r, time):
         if (np.abs(r) > radius * (1.0 + 1e-12)).any():
-            raise OutOfRange(f"the stick ends at {radius:g} m")
+            raise OutOfRange(f"a position lies outside the stick, whose radius is {radius:g} m")
         z, slope, rate = front(np.minimum(np.abs(r) / radius, 1.0), time * detonation_velocity / radius)
         return {"front_position": radius * z, "lag": radius * (front.on_axis - z), "slope_angle": np.degrees(np.arctan(-slope)),
                 "shock_velocity": detonation_velocity * rate / np.sqrt(1.0 + slope**2)}
