@@ -302,6 +302,6 @@ def _echo_findings(found: list, counts: dict, every: bool) -> None:
     lines = [f for f in found if f.verdict == "fail"]
     lines += [f for f in found if f.verdict == "mark" and f.check not in quiet and (every or "states no" not in f.text)]
     echo_table(["verdict", "where", "check", "finding"], [(f.verdict, f.where, f.check, f.text or f"{f.value:.4g}") for f in lines])
-    typer.echo(f"{counts['ok']} checks passed, {counts['mark']} remarks, {counts['fail']} failures")
+    typer.echo(f"{counts['ok']} checks passed, {counts['mark']} marks, {counts['fail']} failures")
 
 
