@@ -163,8 +163,8 @@ def _factor(written: str, unit: str) -> float:
 
 def _number(path, line, name, cells, index, factor, unit):
     if index >= len(cells):
-        raise DeckError.single(path, line, name, f"the line has only {len(cells)} cells, but the column is number "
-                                                 f"{index + 1}", "fill the gap")
+        raise DeckError.single(path, line, name, f"the line has only {len(cells)} cell{'' if len(cells) == 1 else 's'}, but the column is "
+                                                 f"number {index + 1}", "fill the gap")
     try:
         value = float(cells[index]) * factor
     except ValueError:
