@@ -75,7 +75,7 @@ def parameters(law) -> list[str]:
     rows = []
     for name in names:
         default = law.defaults.get(name)
-        shown = "needed" if name in needed else "optional" if default is None or default != default else f"`{default}`"
+        shown = "required" if name in needed else "optional" if default is None or default != default else f"`{default}`"
         rows.append((f"`{name}`", cell(law.units.get(name, "1")) or "law", shown, cell(law.meaning.get(name, ""))))
     return table(["parameter", "unit", "default", "meaning"], rows) if rows else ["It has no parameters.", ""]
 

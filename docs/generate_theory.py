@@ -109,7 +109,7 @@ def parameters(name: str) -> list[str]:
     """Parameters of an exact solution with units and defaults."""
     rows = []
     for word, parameter in inspect.signature(SOLUTIONS[name]).parameters.items():
-        default = "needed" if parameter.default is inspect.Parameter.empty else f"`{parameter.default}`".replace("|", "\\|")
+        default = "required" if parameter.default is inspect.Parameter.empty else f"`{parameter.default}`".replace("|", "\\|")
         rows.append(f"| `{word}` | {parameter_unit(word)} | {default} |")
     return ["| parameter | unit | default |", "|---|---|---|", *rows, ""] if rows else ["It has no parameters.", ""]
 
