@@ -1,6 +1,6 @@
 """
 Porous aluminium: crushed, released, crushed again
-================================================
+==================================================
 
 A slow piston presses aluminium of 78 % density. The pores close along the crush curve of the P-alpha law; where the piston draws back, the
 material unloads elastically, as stiff as the solid, and on reloading rejoins the curve where it left it. If the law did not remember the
