@@ -2,7 +2,7 @@ r"""Ideal gas with constant specific heats.
 
 $$p = (\gamma - 1)\,\rho e, \qquad T = e / c_v, \qquad s = c_v \ln\left(p\,\rho^{-\gamma}\right)$$
 
-At rest it has the density rho0 and 298.15 K.
+Its reference state is the density rho0 at 298.15 K.
 
 Source: Starkenberg A-7, polytropic gas; KB codes eq. 4.4 with the corrected density (K-E4: rho, not rho0).
 """

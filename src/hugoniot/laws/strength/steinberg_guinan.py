@@ -5,12 +5,11 @@ $$G = G_0\,\varphi, \qquad Y = \min\left\{Y_0\,[1 + \beta(\varepsilon_p + \varep
 $$T_m = T_{m0}\,\exp\left[2a\left(1 - 1/\eta\right)\right]\eta^{2(\gamma_0 - a - 1/3)}, \qquad \eta = \rho/\rho_0$$
 
 A = G'_p/G0 and B = -G'_T/G0; the pressure derivative of Y is taken as Y'_p/Y0 = A, as in the published parameter table.
-Above the melting temperature Y = 0 and G = G0 `melt_shear_fraction`. The factor phi is bounded below by
-`melt_shear_fraction` for G and by 0 for Y, since far in tension or in heat the series would turn negative: that floor is a
-statement of the law (a material without stiffness), not a repair.
+Above the melting temperature Y = 0 and G = G0 `melt_shear_fraction`. The factor phi is not allowed below
+`melt_shear_fraction` for G and 0 for Y, since at large tensions or temperatures the series would become negative.
 
 Source: Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498; constants of the example: 6061-T6 aluminium of
-Steinberg, UCRL-MA-106439 (1996), recalled.
+Steinberg, UCRL-MA-106439 (1996), quoted from memory.
 """
 
 from typing import NamedTuple
