@@ -1,7 +1,7 @@
 r"""Hugoniot curves of any law from any state: principal, second shock, distended material, with heat of reaction.
 
 The search for one state, with its equations, is in `theory.jump`. Here it is applied to numbers or arrays, directly for a few
-states and compiled (`theory.kernels`) for many, and every search that fails becomes an error that states the limit.
+states and compiled (`theory.kernels`) for many. A search that fails raises an error that states the limit.
 """
 
 import math
@@ -82,8 +82,8 @@ def rayleigh_line(initial: Initial, shock_velocity: float, points: int = 2, part
 def limit(material, initial: Initial | None = None) -> States:
     """The end of the Hugoniot: the state of highest density that the law allows a single shock to reach.
 
-    A density limit of the law (the pole of a linear shock-particle velocity fit), or where 1 - (dp/de)(v0 - v)/2 vanishes
-    (Segletes' stability limit, Starkenberg A-5): there the Hugoniot is vertical: any pressure satisfies the law and
+    It is a density limit of the law (the pole of a linear shock-particle velocity fit), or the point where 1 - (dp/de)(v0 - v)/2 vanishes
+    (Segletes' stability limit, Starkenberg A-5). There the Hugoniot is vertical, and any pressure satisfies the law and
     the jump conditions.
     Pressure or particle velocity are infinite at the end, or finite for a fit with s < 1 (J-E16) and at the edge of a table.
     """

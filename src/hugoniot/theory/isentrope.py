@@ -1,7 +1,7 @@
 r"""Isentropes of any law through any state: release to a pressure, a density or a velocity, and to vacuum.
 
-The integrator and its equations are in `theory.expansion`. A wave that moves towards +x (`direction` +1) obeys
-$du = dp/(\rho c) = c\,d\ln\rho$ while the pressure behind it falls; towards -x the sign is reversed.
+The integrator and its equations are in `theory.expansion`. In a simple wave that moves towards +x (`direction` +1)
+$du = dp/(\rho c) = c\,d\ln\rho$; towards -x the sign is reversed.
 """
 
 import math
@@ -106,7 +106,7 @@ def release(material, start: States, to: float = 0.0, *, direction: int = -1, po
 def expansion_to(material, start: States, to: float, points: int) -> States:
     """States on the isentrope from `start` to the pressure `to`, Pa, as behind a wave that runs back into the material.
 
-    A release of crushed pores is elastic; pressures of gases and of products fall by equal factors, others by equal steps.
+    A release of crushed pores is elastic. The pressures of gases and products are spaced by equal factors, others by equal steps.
     """
     flags = EOS.of(law_of(material)).flags
     if to <= start.pressure and "reacted" not in flags:
@@ -163,7 +163,7 @@ def escape(material, start: States) -> float:
     r"""Velocity gained by expansion into vacuum, m/s: $\int_0^\rho c\,d\ln\rho$, for a law that becomes a gas when thin.
 
     Integrated until $p = \Gamma\rho e$ holds to 1e-13, then the tail 2c/Gamma of an ideal gas (gamma - 1 = Gamma) is added.
-    Raises `OutOfRange` for a law that keeps a cohesive (zero-pressure) density: it spalls instead.
+    Raises `OutOfRange` for a law that has zero pressure at a finite density (a condensed material).
     """
     par = law_of(material)
     y, e, u = math.log(start.density), float(start.specific_internal_energy), 0.0

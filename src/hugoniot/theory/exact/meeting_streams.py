@@ -1,8 +1,8 @@
 r"""The steady two-dimensional Riemann problem: two supersonic streams that meet at a point, of any two equations of state.
 
-One stream flows along x below the origin, the other at an angle above it. From the point where they meet a wave runs into each stream, a
-shock or a centred fan; between the waves lies a slip line, with the same pressure and direction on both sides.
-`theory.shock_polar` finds it. The fields depend on the angle alone; here they are given along the line x = `station`.
+One stream flows along x below the origin, the other at an angle above it. From the point where they meet a shock or a centred fan runs into
+each stream. Between the waves lies a slip line, with the same pressure and direction on both sides, found by
+`theory.shock_polar`. The fields depend on the angle alone; here they are given along the line x = `station`.
 
 Source: Courant and Friedrichs, Supersonic Flow and Shock Waves, sec. 124; Loh and Hui, J. Comput. Phys. 89 (1990) 207.
 """

@@ -1,9 +1,10 @@
-r"""Uniform collapse: a body that falls in so that every part is compressed alike, and stays uniform.
+r"""Uniform collapse: a converging body in which every part is compressed alike, so that it stays uniform.
 
 $$u = -\frac{r}{t_c - t}, \qquad \rho = \rho_0\left(1 - \frac{t}{t_c}\right)^{-d}, \qquad e = e_S(\rho)$$
 
-Velocities are proportional to the radius, so that the acceleration vanishes and the momentum equation requires only a uniform pressure;
-the energy follows the isentrope through the first state, of any equation of state. For the ideal gas $e = e_0(1 - t/t_c)^{-d(\gamma-1)}$.
+Velocities are proportional to the radius, so the acceleration vanishes and the momentum equation requires only a uniform pressure.
+The energy follows the isentrope through the initial state, for any equation of state. For the ideal gas $e = e_0(1 -
+t/t_c)^{-d(\gamma-1)}$.
 
 Source: Noh, J. Comput. Phys. 72 (1987) 78 (his second problem, the uniform collapse); derived here for any law.
 """
