@@ -64,8 +64,8 @@ def matrix() -> list[str]:
             rows.append([f"`{law.name}`", conduction, *row])
     count = len(rows) * len(MACHS)
     text = [f"Density thickness in units of (4/3) μ / (ρ₁u₁) with constant viscosity, without heat conduction or with a Prandtl number of "
-            f"1. The state ahead is the reference state of each law's example. Of {count} cases {found} have a shock; the others are rejected "
-            "with the following messages, to which the numbers in brackets refer:", ""]
+            f"1. The state ahead is the reference state of each law's example. Of {count} cases {found} have a shock; the others are "
+            "rejected with the following messages, to which the numbers in brackets refer:", ""]
     text += [f"{i + 1}. {words}" for i, words in enumerate(notes)]
     return [*text, "", f"CPU time of the slowest case: {max(times):.2f} s; of all {count}: {sum(times):.0f} s.", "",
             *table(("law", "heat conduction", *(f"Mach {m:g}" for m in MACHS)), rows)]

@@ -1,9 +1,9 @@
-"""What every solver owes the time loop, the run, its report and its checkpoints: `Solver`; `LineSolver` and `PlaneSolver` add to it.
+"""The interface of solvers to the time loop, the run, its report and checkpoints: `Solver`, extended by `LineSolver` and `PlaneSolver`.
 
-A solver is made from a complete Problem (`problem.defaults`), owns its arrays and knows no files. The time loop (`solvers.run`) marches it
-from event to event; observers look at what it hands out, which are copies, and change nothing. Whoever writes a solver gives it every
-name below: nothing is asked for that may be missing, and a quantity that a solver does not have is empty, zero or None as said here.
-`NothingToAdd` says so for those that many solvers lack.
+A solver is made from a complete Problem (`problem.defaults`), owns its arrays and reads or writes no files. The time loop (`solvers.run`)
+marches it from event to event; observers receive copies and change nothing. A solver must define every
+name below: no member is optional, and a quantity that a solver does not have is empty, zero or None, as described here.
+`NothingToAdd` provides these defaults for members that many solvers lack.
 
 Everything is in SI. Extensive quantities are those of the problem's geometry: per m^2 (planar), per m and radian (cylindrical), per
 steradian (spherical), per m (plane), per radian (axisymmetric).
@@ -26,7 +26,7 @@ class Event:
     time       s
     cycle      steps taken before it
     position   m, along the line or from the axis or the origin
-    text       a sentence for people, with the place and what it cost
+    text       a sentence for the reader, with the position and the energy lost
     """
 
     kind: str

@@ -1,4 +1,4 @@
-"""Burning of a zone: how its burn fraction grows in a step, and how fast it burns, which the time step has to follow.
+"""Burning of a zone: the growth of its burn fraction in a step, and the rate, which limits the time step.
 
     burn     burn fractions at the end of a step, by schedule and by rate
     rates    rates of burning

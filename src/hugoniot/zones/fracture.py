@@ -1,7 +1,7 @@
-"""Fracture of a zone: damage, how near it is to failure, and voids that grow in it at the tension its law caps.
+"""Fracture of a zone: damage, how close it is to failure, and the growth of voids at the largest tension that its law allows.
 
-Voids grow at the capped tension and close at zero stress. The changes are consistent to first order; the next step's equation of state,
-which sees the solid's own volume, takes up the rest.
+Voids grow at that tension and close at zero stress. The changes are consistent to first order; the equation of state of the next step,
+evaluated at the volume of the solid alone, corrects the rest.
 """
 
 from hugoniot.core.ops import fmax, fmin

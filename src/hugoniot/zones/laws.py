@@ -1,4 +1,4 @@
-"""The laws of the zones of a material, and what they ask of a solver: known once for a material, not in every zone."""
+"""The laws of the zones of a material and what they need from a solver, determined once per material, not in every zone."""
 
 from typing import Any, NamedTuple
 

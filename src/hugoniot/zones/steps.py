@@ -1,7 +1,7 @@
-"""What the material of zones does in a step, in the order in which it happens, written into a list of passes.
+"""The response of a material in a step, in order, written into a list of passes.
 
-A solver lends its rows under the names used here; which passes a material takes is decided here, once, by its laws. Nothing here knows
-a dimension: strains, the elastic trial and the return to the yield surface are the solver's.
+A solver provides its rows under the names used here. The passes that a material needs are chosen here, once, from its laws. Nothing here
+depends on the dimension: strains, the elastic trial and the return to the yield surface belong to the solver.
 """
 
 from typing import Any

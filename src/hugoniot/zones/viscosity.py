@@ -1,4 +1,4 @@
-"""Artificial viscosity of a zone: its signal speed, the jump it resists, the smoothness that switches it off."""
+"""Artificial viscosity of a zone: its signal speed, the velocity jump, and the smoothness that switches it off."""
 
 from typing import Any, NamedTuple
 

@@ -1,4 +1,4 @@
-"""The accounts of a run, by its solver: energy, momentum, what passed the ends, errors against both, and the largest values of zones.
+"""The balances of a run: energy, momentum, what passed the ends, the errors of these balances, and the largest values of zones.
 
 Extensive quantities are per m^2 (planar), per m and radian (cylindrical) or per steradian (spherical).
 """

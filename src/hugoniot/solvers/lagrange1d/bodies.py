@@ -1,7 +1,7 @@
 """The topology of a run: bodies (segments), runs of one material, interfaces; splitting a body at a node and joining two.
 
-Rare events, done on whole arrays in Python; the sweeps in between only see clean runs. Momentum is kept exactly, and the
-kinetic energy lost in a join goes to the two zones as heat, so the energy budget stays closed (W-E6).
+These rare events are handled on whole arrays in Python; the sweeps in between need no special cases. Momentum is conserved exactly, and the
+kinetic energy lost in a join goes to the two zones as heat, so the energy budget closes (W-E6).
 """
 
 import dataclasses

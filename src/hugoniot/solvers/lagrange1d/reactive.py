@@ -1,7 +1,7 @@
-"""Setting up burning regions: the solver's laws for them, lighting times, the state before burning, and what is told about it.
+"""Setting up burning regions: the solver's laws for them, lighting times, the state before burning, and messages.
 
-A burning zone owns the rows of the zone table behind the inert ones (`layout`): burn fraction, time since its lighting, size at
-t = 0, the two phases of the step before, and how the reactants' reference state was found. Runs without an explosive have no such rows.
+Burning zones have further rows in the zone table behind the inert ones (`layout`): burn fraction, time since lighting, size at
+t = 0, the two phases of the previous step, and how the reactants' reference state was found. Runs without an explosive have no such rows.
 """
 
 import numpy as np

@@ -1,7 +1,8 @@
-"""The one-dimensional Lagrangian solver: owns the arrays, marches them, hands out states, accounts and checkpoints.
+"""The one-dimensional Lagrangian solver: owns the arrays, advances them, and provides states, balances and checkpoints.
 
-Knows a problem's numbers and laws; never files, decks or plots. `march` takes steps until something happens and says what. How a run
-starts stands in `start`, what happens between steps in `between_steps`, what went wrong in `post_mortem`, the sums in `accounts`.
+It uses the numbers and laws of a problem, never files, decks or plots. `march` takes steps until something happens and reports it. The
+start of a run is in `start`, events between steps in `between_steps`, the diagnosis of failures in `post_mortem`, the balances in
+`accounts`.
 """
 
 import numpy as np

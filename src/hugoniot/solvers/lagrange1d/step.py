@@ -9,9 +9,9 @@ compatible                                             wilkins (Wilkins B.2)
  6. zones: energy, stress, signal rate at the end
  7. heat flux, conduction, watch: soundness and peaks, failing zones, interfaces, gaps, gauges
 
-What is done to zones and nodes stands in lists of passes (`compatible`, `leapfrog`), which the `plan` carries out. A march returns when
-its cycles are done, an event time is reached, a gauge buffer is full, a void opens or closes, or a state is bad; the codes are in
-`layout`. It knows no law, so that it is compiled once for an integrator and a geometry.
+The work on zones and nodes is defined by lists of passes (`compatible`, `leapfrog`), which the `plan` executes. A march returns when
+its cycles are done, an event time is reached, a gauge buffer is full, a void opens or closes, or a state is invalid; the codes are in
+`layout`. The march does not depend on the laws, so it is compiled once for an integrator and a geometry.
 """
 
 from collections import namedtuple

@@ -1,4 +1,4 @@
-"""What a run in two dimensions has kept, exchanged and seen: read from the solver's arrays, which it does not change."""
+"""Balances, exchanges and peak values of a run in two dimensions, read from the solver's arrays without changing them."""
 
 import numpy as np
 

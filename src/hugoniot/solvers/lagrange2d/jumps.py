@@ -1,5 +1,5 @@
-"""Velocity jumps of a zone in one and in two directions: how smooth they are, what is left of them in the middle of a step, what they ask
-of the time step. Functions of two directions need one division for both."""
+"""Velocity jumps of a zone in one and in two directions: their smoothness, their value in the middle of a step, and their effect
+on the time step. Functions of two directions need one division for both."""
 
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin

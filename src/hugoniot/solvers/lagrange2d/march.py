@@ -4,14 +4,14 @@
  2. nodes: drift to the middle of the step by the velocities at its start
  3. zones: stress, viscosity and filters in the middle; their forces
  4. nodes: kick by those forces; mean velocity, motion to the end of the step
- 5. a zone tangled, or robbed of a third of its area? back to 2 with half the step
+ 5. if a zone is tangled or has lost a third of its area: back to 2 with half the step
  6. zones: energy by the work of the forces that moved the nodes, state at the end, signal rate
 
-Steps 2 to 6 are taken band by band (`bands`). Where a band is not the whole mesh, the rows before a zone that is tangled have been led on:
-the march returns, and the step is taken again from a copy (`rewind`).
+Items 2 to 6 are done band by band (`bands`). If a band is not the whole mesh, the rows before a tangled zone have already been advanced:
+the march returns, and the step is repeated from a copy (`rewind`).
 
-A march returns when its cycles are done, an event time is reached, a gauge is due or a state is bad; the codes are in `layout`. Threads
-share rows of zones and of nodes (`plan`); boundaries, blocks' shared nodes and the choice of the step are the leader's alone.
+A march returns when its cycles are done, an event time is reached, a gauge is due or a state is invalid; the codes are in `layout`. Threads
+share rows of zones and of nodes (`plan`); the leader alone handles boundaries, shared nodes of blocks and the choice of the step.
 """
 
 from typing import Any, NamedTuple

@@ -1,6 +1,6 @@
-"""Rows of nodes in a step: forces gathered from their zones, motion; and what it has done to the zones between them.
+"""Rows of nodes in a step: forces gathered from their zones, motion, and its effect on the zones between them.
 
-The nodes of a block move by their own zones' forces first. Then the special ones are done again (`special_nodes`).
+The nodes of a block are first moved by the forces of their own zones; special nodes are then recomputed (`special_nodes`).
 """
 
 from typing import Any, NamedTuple

@@ -1,6 +1,6 @@
-"""The two-dimensional Lagrangian solver: owns the arrays, marches them, hands out states and budgets.
+"""The two-dimensional Lagrangian solver: owns the arrays, advances them, and provides states and budgets.
 
-Knows a problem's numbers and laws; never files, decks or plots. The words are those of `solvers.lagrange1d.solver`.
+It uses the numbers and laws of a problem, never files, decks or plots. The terms are those of `solvers.lagrange1d.solver`.
 """
 
 import numpy as np

@@ -1,6 +1,6 @@
-"""Passes of triangles: those of `zone_passes` over three corners instead of four, and what a cell of two triangles needs besides.
+"""Passes of triangles: those of `zone_passes` over three corners instead of four, and further ones for a cell of two triangles.
 
-Both triangles of a cell are worked on together, rows of lower ones and rows of upper ones (`mesh.triangles`). The corners a and b are
+The two triangles of a cell are processed together, in rows of lower and rows of upper triangles (`mesh.triangles`). The corners a and b are
 nodes of one row of nodes each; which node is c depends on the diagonal, so it is gathered first (`gather_thirds`).
 """
 

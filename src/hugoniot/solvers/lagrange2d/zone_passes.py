@@ -1,13 +1,13 @@
-"""Passes of zones in a step: motion to its middle and its end, energy by the work of forces, corner forces, the state that stands.
+"""Passes of zones in a step: motion to its middle and its end, energy by the work of forces, corner forces, and the final state.
 
     strain       motion to the middle: strain rates, density, energy by the stress at the start
     push_fluid, push_solid   corner forces of stress, viscosity and filters in the middle
     settle       motion to the end: strain rates, energy by the work of those forces
     shape        volume and smallest altitude at the end
-    stand        the state that stands: stress, sound speed
+    stand        the final state: stress, sound speed
     push         corner forces of stress and viscosity alone, of triangles in the middle
 
-Rows named for quadrilaterals serve triangles too (`triangle_passes`): `cells` chooses by the class of `corners`.
+Rows named for quadrilaterals are also used for triangles (`triangle_passes`): `cells` chooses by the class of `corners`.
 """
 
 from typing import Any, NamedTuple
