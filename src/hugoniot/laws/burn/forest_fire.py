@@ -123,7 +123,7 @@ BURN.add(
 )
 
 BURN.add(
-    "rate_table", RateTable, line="A table of rates over pressure, logarithmic between its entries, first-order depletion.",
+    "rate_table", RateTable, line="A table of rates against pressure, interpolated logarithmically, first-order depletion.",
     functions={"rate": table_rate, "advance": table_advance, "scheduled": no_schedule},
     example=rate_table((2.0e9, 5.0e9, 1.0e10, 2.0e10, 4.0e10), (2.0e3, 8.0e4, 1.2e6, 1.5e7, 1.0e8)),
     units={"log_pressure": "1", "log_rate": "1", "pressures": "Pa", "rates": "1/s"},

@@ -83,9 +83,9 @@ _BOX = {"rho": (1000.0, 3000.0)}
 
 for _name, _build, _function, _example, _flags, _line in (
     ("programmed", build_programmed, programmed, Programmed(7991.0), ("programmed",),
-     "Programmed burn: zones burn when a front of given speed has reached them."),
+     "Programmed burn: zones burn when a front of prescribed speed has reached them."),
     ("beta", build_beta, beta, Beta(1714.0, 2332.8), ("compression_driven",),
-     "CJ-volume burn: zones burn as far as they are compressed towards the CJ density."),
+     "CJ-volume burn: zones burn in proportion to their compression towards the CJ density."),
     ("programmed_beta", build_programmed_beta, programmed_beta, ProgrammedBeta(7991.0, 1714.0, 2332.8),
      ("programmed", "compression_driven"), "The larger of programmed and CJ-volume burn: a converging front may overtake its schedule."),
 ):

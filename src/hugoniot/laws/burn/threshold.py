@@ -39,7 +39,7 @@ BURN.add(
     "threshold", Threshold,
     functions={"rate": no_rate, "advance": advance, "scheduled": no_schedule},
     example=Threshold(20.0e9),
-    units={"initiation_pressure": "Pa"}, meaning={"initiation_pressure": "pressure above which a zone burns at once"},
+    units={"initiation_pressure": "Pa"}, meaning={"initiation_pressure": "pressure above which a zone burns instantaneously"},
     box={"p": (0.0, 60.0e9)},
     references=("KB codes, section 4",),
     flags=("pressure_driven", "instantaneous"),

@@ -64,7 +64,7 @@ EOS.add(
     example=IdealGas(1.4),
     units={"gamma": "1", "specific_heat": "J/kg/K", "rho0": "kg/m^3"},
     meaning={"gamma": "ratio of specific heats", "specific_heat": "specific heat at constant volume",
-             "rho0": "density at rest if a region gives none"},
+             "rho0": "density at rest unless a region gives one"},
     defaults={"specific_heat": 717.5, "rho0": 1.2},
     box={"rho": (1e-3, 100.0), "e": (1e3, 1e8)},
     above={"gamma": 1.0},

@@ -1,4 +1,4 @@
-r"""Mie-Grüneisen solid as a cubic in strain, the form the KO codes compute with (rho Gamma constant, linear shock velocity).
+r"""Mie-Grüneisen solid as a cubic in strain, the form used in the KO codes (rho Gamma constant, linear shock velocity).
 
 $$p = k_1x + k_2x^2 + k_3x^3 + \Gamma_0\rho_0e, \qquad x = 1 - \rho_0/\rho, \qquad k_2 = 0 \text{ for } x < 0$$
 $$k_1 = \rho_0c_0^2, \quad k_2 = k_1\left(2s - \tfrac12\Gamma_0\right), \quad k_3 = k_1s\,(3s - \Gamma_0)$$

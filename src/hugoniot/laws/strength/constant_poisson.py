@@ -1,4 +1,4 @@
-r"""Elastic-perfectly plastic with a constant Poisson ratio: the shear modulus follows the bulk modulus.
+r"""Elastic-perfectly plastic with a constant Poisson ratio: the shear modulus is proportional to the bulk modulus.
 
 $$G = \frac{3\,(1 - 2\nu)}{2\,(1 + \nu)}\,K, \qquad Y = Y_0$$
 

@@ -72,7 +72,7 @@ STRENGTH.add(
              "temperature_coefficient": "B, relative fall of the shear modulus with temperature",
              "melt_temperature": "melting temperature at rho0", "melt_gruneisen": "Grüneisen parameter of the melting law",
              "melt_a": "volume correction a of the melting law", "initial_strain": "equivalent plastic strain of the material as received",
-             "melt_shear_fraction": "part of the shear modulus that is left in the melt"},
+             "melt_shear_fraction": "fraction of the shear modulus that remains in the melt"},
     defaults={"initial_strain": 0.0, "melt_shear_fraction": 0.0},
     box={"rho": (2600.0, 4500.0), "p": (-2e9, 1e11), "temperature": (200.0, 5000.0), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},

@@ -48,7 +48,7 @@ VISCOSITY.add(
     units={"quadratic": "1", "linear": "1", "linear_condensed": "1"},
     meaning={"quadratic": "c2, (gamma + 1)/4 for an ideal gas",
              "linear": "c1, weight of the sound speed; 0 in explosives that burn by a schedule alone",
-             "linear_condensed": "c1 in nonporous solids and liquids (with strength: in strong jumps only); linear if only that is given"},
+             "linear_condensed": "c1 in nonporous solids and liquids (with strength: only in strong jumps); default: `linear` if given"},
     defaults={"quadratic": 2.0 / 3.0, "linear": 0.3, "linear_condensed": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     least={"quadratic": 0.0, "linear": 0.0, "linear_condensed": 0.0},

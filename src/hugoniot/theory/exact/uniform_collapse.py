@@ -22,7 +22,8 @@ def uniform_collapse(geometry: str = "spherical", gamma: float = 5.0 / 3.0, dens
                      collapse_time: float = 1.0, material: str = "") -> Solution:
     """Uniform collapse (Noh's second problem): velocities proportional to the radius, everything else uniform.
 
-    material   empty: the ideal gas of gamma; else a material of the library, which starts from its reference state (then `gamma`,
+    material   empty: an ideal gas with this gamma; otherwise a material of the library, which starts from its reference state (then
+    `gamma`,
                `density` and `energy_per_mass` are not used)
 
     Fields: density, velocity, pressure, energy. Holds for time < collapse_time, and for a material as far as its law reaches.
