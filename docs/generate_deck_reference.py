@@ -65,7 +65,7 @@ def keys(schema: dict) -> str:
     required = set(schema.get("required", ()))
     rows = []
     for name, entry in schema["properties"].items():
-        default = "needed" if name in required else "" if entry.get("default") in (None, "") else f"`{entry['default']}`".lower()
+        default = "required" if name in required else "" if entry.get("default") in (None, "") else f"`{entry['default']}`".lower()
         rows.append([f"`{name}`", kind_of(entry), default, entry.get("description", "")])
     return table(["key", "takes", "default", "meaning"], rows)
 
@@ -104,7 +104,7 @@ def law_section(family: str, registry) -> str:
         text.append(f'#### law = "{name}"\n\n{law.summary}\n\nSource: {"; ".join(law.references)}.\n')
         rows = []
         for n in names:
-            default = "needed" if n in required else shown_default(law, n)
+            default = "required" if n in required else shown_default(law, n)
             rows.append([f"`{n}`", law.units.get(n, "1"), default, law.meaning.get(n, "")])
         text.append(table(["parameter", "unit", "default", "meaning"], rows) if rows else "It has no parameters.\n")
     return "\n".join(text)
