@@ -46,7 +46,7 @@ TARGET = Path(__file__).parent / "generated" / "laws"
 HEADS = {
     "eos": (EOS, "Equations of state", "`[material.NAME.eos] law = ...`. State is density and specific internal energy."),
     "strength": (STRENGTH, "Strength", "`[material.NAME.strength] law = ...`: shear modulus and flow stress."),
-    "fracture": (FRACTURE, "Fracture", "`[material.NAME.fracture] law = ...`: failure in tension, and the tension that a material supports."),
+    "fracture": (FRACTURE, "Fracture", "`[material.NAME.fracture] law = ...`: failure in tension, and the tension a material supports."),
     "viscosity": (VISCOSITY, "Artificial viscosity", "`[solver.viscosity] law = ...`: $q = \\rho|\\Delta u|w$ in compression."),
     "burn": (BURN, "Burning", "How an explosive burns to products: by a schedule, or at a rate that depends on the state."),
     "mixture": (MIXTURE, "Mixtures", "The state of reactants and products in one zone; see [the theory](../../theory/mixtures.md)."),

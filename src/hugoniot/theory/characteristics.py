@@ -40,7 +40,7 @@ def geometric_source(state: MixtureState, velocity, position, dimension: int):
 
 
 def mismatch(state: MixtureState, sign: int, pressure_rate, velocity_rate, rate, velocity=0.0, position=1.0, dimension: int = 1):
-    """How far a flow is from the relation along dx/dt = u + sign c, Pa/s; zero for a solution.
+    """Residual of the relation along dx/dt = u + sign c for a flow, Pa/s; zero for a solution.
 
     pressure_rate, velocity_rate   dp/dt and du/dt along that characteristic, Pa/s and m/s2
     rate                           d(burn fraction)/dt of the material, 1/s

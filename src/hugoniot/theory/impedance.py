@@ -25,8 +25,8 @@ class Match:
     """One interaction of a wave with an interface.
 
     interface     number of the interface (0: flyer and first target)
-    left, right   states on its two sides afterwards; a state made by a shock has its shock_velocity
-    wave_left, wave_right   "shock", "fan" or "none": the waves that leave
+    left, right   states on its two sides afterwards; a state behind a shock has its shock_velocity
+    wave_left, wave_right   "shock", "fan" or "none": the outgoing waves
     """
 
     interface: int

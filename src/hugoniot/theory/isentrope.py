@@ -26,9 +26,9 @@ def isentrope(material, start: States | None = None, *, direction: int = 1, **gi
 
     start       a single state (default: the law's reference state at rest)
     given       exactly one of density (kg/m3), pressure (Pa), particle_velocity (m/s): a number or an array
-    direction   +1: the change runs into the material as a wave towards +x, so that release lowers the particle velocity;
+    direction   +1: a wave towards +x makes the change, so that release lowers the particle velocity;
                 -1: towards -x (release at a free surface on the right: velocity rises)
-    Raises `OutOfRange` where the isentrope ends (tension it cannot support, a limit of the law), with the state it ends in.
+    Raises `OutOfRange` where the isentrope ends (a tension that is not supported, a limit of the law), with the last state.
     """
     par = law_of(material)
     start = start or reference(par)
@@ -93,7 +93,7 @@ def release(material, start: States, to: float = 0.0, *, direction: int = -1, po
     """The release isentrope from `start` down to the pressure `to`, Pa: its end, or `points` states evenly spaced in pressure.
 
     direction -1 (default): the release runs back towards -x, as from a free surface or a softer neighbour on the right.
-    A law with a memory (crushed pores) releases elastically, as compacted as the loading to `start` left it.
+    A law with a memory (crushed pores) releases elastically, with the compaction reached by the loading to `start`.
     """
     material = elastic(history(material, start))
     if to > start.pressure:
@@ -133,9 +133,9 @@ def grid(material, densities, temperatures) -> tuple[np.ndarray, np.ndarray]:
 
 
 def history(material, start: States) -> Any:
-    """The law as the loading to `start` left it: pores crushed up to there stay so; the law itself where it has no memory.
+    """The law after loading to `start`: pores crushed up to there stay crushed; the law itself where it has no memory.
 
-    A state whose own law (`start.par`) has a history already keeps that, and adds to it what crushed it further.
+    If the law of the state (`start.par`) already has a history, further crushing is added to it.
     """
     par = law_of(material)
     if "remembers" not in EOS.of(par).flags:
@@ -149,7 +149,7 @@ def history(material, start: States) -> Any:
 
 
 def elastic(par) -> Any:
-    """The branch on which a law with a memory unloads and reloads; any other law as it is."""
+    """The branch on which a law with a memory unloads and reloads; any other law unchanged."""
     return contract.unloading(par) if "remembers" in EOS.of(par).flags else par
 
 
@@ -185,11 +185,11 @@ def escape(material, start: States) -> float:
 
 
 def residual(states: States) -> float:
-    r"""Largest misfit of de + p dv = 0 between neighbouring states, relative to the energy exchanged.
+    r"""Largest residual of de + p dv = 0 between neighbouring states, relative to the energy exchanged.
 
-    The work between two states is found anew, by Gauss-Legendre quadrature of p/rho in ln(rho) on the isentrope, so that the
-    integrator does not check itself: 12 nodes per piece in which the law is smooth (an edge of a table's cell ends a piece) and per 0.3,
-    halved until both halves agree with the whole, which they do not at a kink of a law (pores that begin to close).
+    The work between two states is computed independently of the integrator, by Gauss-Legendre quadrature of p/rho in ln(rho) on the
+    isentrope. There are 12 nodes per smooth piece of the law (an edge of a table's cell ends a piece) and per 0.3 in ln(rho). Intervals are
+    halved until both halves agree with the whole, which is necessary at a kink of a law (pores that begin to close).
     """
     worst = 0.0
     for i in range(len(states) - 1):

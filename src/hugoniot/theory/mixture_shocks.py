@@ -35,7 +35,8 @@ def reacting_hugoniot(upstream: MixtureState, pressures, reacted: float | Callab
     """Shocked mixtures at given pressures of which a part has burned in the front.
 
     reacted   mass fraction that burns in the shock, or a function of the pressure behind it; with 0 this is `frozen_hugoniot`
-    Velocities relative to upstream. Raises NoSolution where no compressive shock holds the state, OutOfRange for more than is left.
+    Velocities are relative to upstream. Raises NoSolution where no compressive shock gives the state, OutOfRange for more than remains
+    unburned.
     """
     p = np.atleast_1d(np.asarray(pressures, float))
     more = np.array([reacted(float(x)) if callable(reacted) else float(reacted) for x in p])

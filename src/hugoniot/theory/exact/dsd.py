@@ -95,7 +95,7 @@ def dsd_rate_stick(geometry: str = "cylindrical", detonation_velocity: float = 8
 
 def dsd_arc(detonation_velocity: float = 8000.0, curvature_length: float = 1e-3, inner: float = 0.04, outer: float = 0.06,
             inner_angle_degrees: float = 0.0, outer_angle_degrees: float = 30.0) -> Solution:
-    """Detonation shock dynamics: a front that turns steadily in a ring of explosive, D_n = D(1 - alpha kappa).
+    """Detonation shock dynamics: a front that rotates steadily in a ring of explosive, D_n = D(1 - alpha kappa).
 
     The angles are those of the front's normal to the direction of rotation at the two edges, positive where the front falls back
     towards the edge. Positions are radii.

@@ -36,7 +36,7 @@ def meeting_streams(below: Inflow = BELOW, above: Inflow = ABOVE, angle_degrees:
     """Steady Riemann problem: two supersonic streams that meet, each through a shock or a fan, with a slip line between them.
 
     below flows along x, above at `angle_degrees` to it (negative: into the lower one). Positions are y along the line x = station; the
-    time does not matter. Gases and solids alike; weak shocks are taken.
+    time does not matter. For gases and solids; of two possible shocks the weak one is taken.
     Fields: density, pressure, energy, axial_velocity, transverse_velocity. `numbers`: slip_pressure, slip_angle and the angles of the
     waves, in degrees from x.
     """

@@ -23,11 +23,11 @@ from hugoniot.theory.exact.substance import law_named
 
 
 def noh_material(material: str = "copper", geometry: str = "planar", speed: float = 1000.0, density: float = 0.0) -> Solution:
-    """Noh's implosion of a material of the library: uniform inflow against a wall, axis or centre, any equation of state.
+    """Noh's implosion of a library material: uniform inflow against a wall, axis or centre, any equation of state.
 
     density   of the inflow at time 0; 0: the reference density of the law. Planar: the inflow has the law's reference energy.
               Cylindrical and spherical: only laws without pressure at zero energy (ideal gases), which the inflow then has.
-    Strength is left out: the material is the fluid of its equation of state.
+    Strength is ignored: the material is treated as a fluid with its equation of state.
     Fields: density, velocity, pressure, energy. `numbers`: plateau values and shock_speed.
     """
     par, d = law_named(material), DIMENSION[geometry]

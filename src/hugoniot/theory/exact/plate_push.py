@@ -37,9 +37,9 @@ def terminal_velocity(mass_ratio: float, detonation_velocity: float) -> float:
 
 
 def plate_push(mass_ratio: float = 1.0, detonation_velocity: float = 8000.0, density: float = 1600.0, length: float = 0.1) -> Solution:
-    """End-on plate: M/C = mass_ratio, driven end-on by a slab of gamma = 3 explosive lit at x = 0, into vacuum at both ends.
+    """End-on plate: M/C = mass_ratio, driven by a slab of gamma = 3 explosive lit at its free end x = 0; vacuum on both sides.
 
-    Positions are ignored except for their shape: the fields `position` and `velocity` are the plate's at the time asked for; `pressure`
+    Positions are ignored except for their shape: the fields `position` and `velocity` are those of the plate at the given time; `pressure`
     is that on the plate. `numbers`: terminal_velocity, arrival_time. Before arrival the plate rests at `length`.
     """
     if min(mass_ratio, detonation_velocity, density, length) <= 0.0:
