@@ -55,7 +55,7 @@ class Grid(NamedTuple):
 
 
 class Curve(NamedTuple):
-    """Coexistence curve of two phases, SI arrays: temperature, pressure, density and energy of a phase; of 401 of both, (2, n), vapour first."""
+    """Coexistence curve, SI arrays: temperature, pressure, density and energy of a phase; of 401 both phases, (2, n), vapour first."""
 
     number: int
     line: int
