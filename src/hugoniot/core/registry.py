@@ -1,7 +1,7 @@
-"""Registries: one family of laws each, filled by one `add` line per law file.
+"""Registries, one for each family of laws, filled by one `add` line per law file.
 
-A registered law is found by its name (decks, `hugoniot list`) or by the class of its parameter tuple (kernels, theory):
-physics is chosen by the type of the parameters, so a parameter tuple is all a caller needs to carry.
+A registered law is found by its name (decks, `hugoniot list`) or by the class of its parameter tuple (kernels, theory).
+The law follows from the type of the parameters, so a caller needs only a parameter tuple.
 """
 
 import difflib
@@ -88,7 +88,7 @@ class Registry:
         self._by_class: dict[type, Law] = {}
 
     def add(self, name, parameters, *, functions, units, meaning, references, build=None, **others):
-        """Enrol a law; every argument is a field of `Law`. Refuses a duplicate name and a law that does not keep the contract."""
+        """Register a law; every argument is a field of `Law`. Refuses a duplicate name and a law that does not satisfy the contract."""
         if name in self._by_name or parameters in self._by_class:
             raise ValueError(f"{self.family}: '{name}' is registered already")
         given = {f.__name__: f for f in functions} if not isinstance(functions, Mapping) else dict(functions)

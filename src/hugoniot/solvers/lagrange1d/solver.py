@@ -199,7 +199,7 @@ class Lagrange1D(NothingToAdd):
         return State(self.time, self.cycle, zones, left, right, ul, ur)
 
     def motion(self) -> State:
-        """Places and velocities alone: a sixth of the work of `state`."""
+        """Positions and velocities alone: a sixth of the work of `state`."""
         return State(self.time, self.cycle, {}, *self.faces(H.r), *self.faces(H.u))
 
     @property
@@ -225,7 +225,7 @@ class Lagrange1D(NothingToAdd):
         return accounts.largest_velocity_jump(self.problem, self.zones[Z.peak_pressure], self.zones[Z.peak_density], self.region_ranges)
 
     def warnings(self) -> list[str]:
-        """Sentences about rates of burning that the mesh did not resolve, and about explosives stretched beyond what they can carry."""
+        """Sentences about rates of burning that the mesh did not resolve, and about explosives in tension beyond what they can support."""
         if not self.burning:
             return []
         return reactive.doubts(self.problem, self.charge[B.resolution], -self.zones[Z.peak_tension], self.region_ranges)

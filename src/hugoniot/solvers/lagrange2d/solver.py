@@ -167,7 +167,7 @@ class Lagrange2D(Shown, NothingToAdd):
     def march(self, until: float, cycles: int) -> list[Event]:
         """Step until the time `until` (hit exactly) or `cycles` steps; gauges are read on the way.
 
-        A step after which a law is asked for a state outside its range is repeated smaller: the events returned.
+        A step that would leave the range of a law is repeated with a smaller step; the events returned report this.
         """
         if until <= self.time:
             return []
@@ -257,7 +257,7 @@ class Lagrange2D(Shown, NothingToAdd):
         return accounts.largest_velocity_jump(self.problem, self.zones)
 
     def warnings(self) -> list[str]:
-        """Sentences about rates of burning that the mesh did not resolve, and about explosives stretched beyond what they can carry."""
+        """Sentences about rates of burning that the mesh did not resolve, and about explosives in tension beyond what they can support."""
         return accounts.doubts(self)
 
     def notes(self) -> list[tuple[str, str]]:
