@@ -36,7 +36,7 @@ class Law:
     box          contract variable -> (low, high): where the example is valid, in SI
     references   where the equation stands, with its number
     build        function from the deck's named values (SI) to the parameter tuple; default: the class itself
-    flags        facts a solver may ask for, such as "linear_in_energy"
+    flags        facts a solver may query, such as "linear_in_energy"
     above, least   parameter name -> what it must be greater than, or not less than
     line         what it is, where one file holds several laws; else the first line of the file says so
     """

@@ -32,7 +32,7 @@ def pressure_pass(count, z, dt, numbers, law):
 
 @zone_pass("v e compaction p c2")
 def state_pass(count, z, dt, numbers, law):
-    """v, e, compaction (led on) -> p, c2 (m2/s2)."""
+    """v, e, compaction (advanced) -> p, c2 (m2/s2)."""
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
@@ -49,7 +49,7 @@ def state_pass(count, z, dt, numbers, law):
 
 @zone_pass("v dv given e p compaction c2")
 def settle_pass(count, z, dt, numbers, law):
-    """v, dv (change of the specific volume), given (energy that others than the pressure gave, J/kg); e, p, compaction led on -> c2."""
+    """v, dv (change of the specific volume), given (energy that others than the pressure gave, J/kg); e, p, compaction advanced -> c2."""
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):

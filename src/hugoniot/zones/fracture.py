@@ -41,7 +41,7 @@ def fracture_pass(count, z, dt, numbers, law):
     """Damage, failure and its largest ratio; voids, the pressure they relieve and the flow beside them, and how many zones they held.
 
     t1 (Pa), c2, rho of the solid, v (of solid and voids), rest density -> failure, relief (Pa), how much voids grew (m3/kg, where any
-    stand); what is found. p, flow, damage and voids (m3/kg) are led on. Voids are looked after only in pieces that have some, or a zone
+    stand); what is found. p, flow, damage and voids (m3/kg) are advanced. Voids are looked after only in pieces that have some, or a zone
     at the tension its law caps: most have neither.
     """
     rows_apart()

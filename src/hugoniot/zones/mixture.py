@@ -43,7 +43,7 @@ def whole(lam):
 
 
 def before(z, j):
-    """The phases of the step before, warmed."""
+    """The phases of the previous step, warmed."""
     return heated(phases(z, j), z.heat[j])
 
 

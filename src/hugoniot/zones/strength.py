@@ -90,7 +90,7 @@ def unburned(lam, material):
 
 @zone_pass("limit flow v plastic_work plastic_strain")
 def harden_pass(count, z, dt, numbers, law):
-    """Plastic strain and work of the step; stretches of zones in which none flows are passed over."""
+    """Plastic strain and work of the step; stretches of zones in which none flows are skipped."""
     rows_apart()
     first = 0
     while first < count:

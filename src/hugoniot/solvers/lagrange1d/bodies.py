@@ -57,7 +57,7 @@ SHARE = 10 * L.PIECE     # zones of a share of work: some microseconds, and a wh
 def cuts(first, last):
     """Where a stretch of zones is cut into shares: alike, so that a team has them evenly, and none above SHARE.
 
-    All but the last are whole pieces, which are a multiple of any vector length, so that cutting changes no bit.
+    All but the last are whole pieces, which are a multiple of any vector length, so that cutting does not change results.
     """
     shares = max(-(-(last - first) // SHARE), 1)
     length = -(-(last - first) // (shares * L.PIECE)) * L.PIECE

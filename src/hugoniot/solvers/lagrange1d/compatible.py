@@ -37,7 +37,7 @@ def shrinking(r1, r2, u1, u2, geometry):
 # -- passes of the geometry ----------------------------------------------------------------------------------------
 @zone_pass("r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth")
 def half_motion(count, z, dt, numbers, law):
-    """Energy, density and strains in the middle of the step, from the stress at its start and the velocities led on to the middle."""
+    """Energy, density and strains in the middle of the step, from the stress at its start and the velocities extrapolated to the middle."""
     rows_apart()
     geometry, half = kind_of(law), 0.5 * dt
     for j in range(count):
@@ -145,7 +145,7 @@ def end_stress(count, z, dt, numbers, law):
 
 @zone_pass(end_stress.rows, finite=False)
 def end_stress_seen(count, z, dt, numbers, law):
-    """The same where nothing will, looked over at once (`zones.soundness.look_over`)."""
+    """The same where nothing will, checked at once (`zones.soundness.look_over`)."""
     rows_apart()
     geometry, constants, fastest = kind_of(law), named(Constants, numbers), z.seen.found[FOUND_RATE]
     bad = new = 0

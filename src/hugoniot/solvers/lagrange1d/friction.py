@@ -115,7 +115,7 @@ def rub_end(s, geometry, solid) -> None:
 
 
 def rub_leaping(s, geometry) -> None:
-    """Write the leapfrog's viscous stress at n+1/2, its work and what it asks of the step; `rub_leapt` lets it pull the nodes."""
+    """Write the leapfrog's viscous stress at n+1/2, its work and what it requires of the step; `rub_leapt` lets it pull the nodes."""
     if acts(s):
         z, h, t, w = s.at.z, s.at.h, s.at.t, s.at.w
         _strained(s, geometry, w.rho, z.e, s.at.whole)

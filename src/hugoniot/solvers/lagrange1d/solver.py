@@ -221,7 +221,7 @@ class Lagrange1D(NothingToAdd):
                 "tension_cap_acted": int(self.counters[L.CAP_COUNT])}
 
     def largest_velocity_jump(self) -> dict[str, float]:
-        """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
+        """Material -> largest particle velocity of a shock in it, from its peak pressure on the Rayleigh line, m/s."""
         return accounts.largest_velocity_jump(self.problem, self.zones[Z.peak_pressure], self.zones[Z.peak_density], self.region_ranges)
 
     def warnings(self) -> list[str]:

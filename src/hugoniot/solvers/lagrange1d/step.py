@@ -216,7 +216,7 @@ def begin_terms(a, scheme, terms):
 
 @only_if(lambda terms: terms is Marching)
 def end_terms(a, plan, scheme, geometry, terms):
-    """What body force and heat sources have done in the step, booked; conduction."""
+    """What body force and heat sources have done in the step, recorded; conduction."""
     if terms.force.pulse[0] >= 0.0:
         book_force(a.nodes, a.control, plan.dts, scheme.staggered, terms.force)
     if terms.supply.sums.shape[0] > 0:

@@ -99,7 +99,7 @@ def settle(zones, nodes, control, ends, end, faster, dt, geometry):
 def ghosts(gradient, control, segments):
     """Velocity gradients beyond the ends, which the viscosity's limiter looks at.
 
-    Beyond a wall or a free surface the field goes on as inside, so that it is no extremum; beyond a transmitting end it is what the
+    Beyond a wall or a free surface the field is continued from inside, so that it is no extremum; beyond a transmitting end it is what the
     last zone had before.
     """
     for k in range(segments.shape[0]):

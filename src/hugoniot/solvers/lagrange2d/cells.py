@@ -24,7 +24,7 @@ def volume(of, geometry):
 
 
 def coefficients(of, near, geometry):
-    """Coefficients of a zone; near: the radius that stands for the axis."""
+    """Coefficients of a zone; near: the radius used for the axis."""
     return _coefficients(type(of), None, type(geometry))(of, near, geometry)
 
 

@@ -44,7 +44,7 @@ class CarryOf(NamedTuple):
 
 
 class ConductOf(NamedTuple):
-    """Nodes in the middle of the step, cells of the zones and of their neighbours, inverse mass; e is led on."""
+    """Nodes in the middle of the step, cells of the zones and of their neighbours, inverse mass; e is advanced."""
 
     low: Positions
     high: Positions

@@ -84,7 +84,7 @@ class Run(NamedTuple):
 
 
 class Options(NamedTuple):
-    """Geometry (codes of `quads`), radius that stands for the axis, body force per mass."""
+    """Geometry (codes of `quads`), radius used for the axis, body force per mass."""
 
     kind: int
     near: float
@@ -133,7 +133,7 @@ def hold_specials(run, options, time, dt, span):
 
 @nb.njit(**BY_ADDRESS)
 def hold_drift(run, time, last, top):
-    """Give the velocities led on to the middle of the step what holds their nodes: a driven edge whose velocity jumps does not go on so."""
+    """Apply the constraints to velocities extrapolated to the middle of the step; a velocity jump of a driven edge is not extrapolated."""
     a, b = between(run.before, bands.HELD, last, top, bands.NOW, run.held.shape[0])
     held, normals = run.held[a:b], run.held_normals[a:b]
     special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, time, False)
@@ -285,7 +285,7 @@ def march(cycles, run, plan, options, control, counters):
 
 @nb.njit(**GUARD)
 def hold_at_start(run):
-    """Velocities of held nodes at t = 0: nothing is booked."""
+    """Velocities of held nodes at t = 0: nothing is recorded."""
     n = rows(L.Nodes, run.nodes, 0)
     for k in range(run.nodes.shape[1]):
         n.um[k], n.vm[k] = n.u[k], n.v[k]

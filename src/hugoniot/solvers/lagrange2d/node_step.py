@@ -57,7 +57,7 @@ class MeanOf(NamedTuple):
 
 
 class DriftOf(NamedTuple):
-    """Motion at the start, half of the change of velocity in the step before -> velocity and position in the middle of the step."""
+    """Motion at the start, half of the change of velocity in the previous step -> velocity and position in the middle of the step."""
 
     x: Any
     y: Any
@@ -130,7 +130,7 @@ for _function in (gather_of_quads, gather_of_triangles, start_of, end_of):
 
 @zone_pass(DriftOf)
 def drift(count, n, dt, numbers, law):
-    """To the middle of the step: positions by the velocities at its start, and those led on by the acceleration of the step before.
+    """To the middle of the step: positions by the velocities at its start, and those extrapolated by the acceleration of the previous step.
 
     dt is half the step, numbers[0] its ratio to the one before.
     """

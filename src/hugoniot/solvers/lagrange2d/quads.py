@@ -132,7 +132,7 @@ def true_volume(q, geometry):
 
 # -- coefficients ---------------------------------------------------------------------------------------------------------------
 def coefficients(q, near, geometry):
-    """`Coefficients` of a zone; near: the radius that stands for the axis."""
+    """`Coefficients` of a zone; near: the radius used for the axis."""
     return (plane_coefficients, volume_coefficients, area_coefficients)[int(geometry.code)](q, near, geometry)
 
 

@@ -85,7 +85,7 @@ class Rewind:
         return min(end, self.marches[0][0] + KEPT_FOR, self.whole_until if whole else end)
 
     def finish(self, solver, stop) -> None:
-        """Stand before a step some of whose bands have been led on; stop(cycle) marches on to a cycle."""
+        """Stand before a step some of whose bands have been advanced; stop(cycle) marches on to a cycle."""
         cycle, until = solver.cycle, float(solver.control[L.EVENT_TIME])
         self._stand_before(solver, cycle, stop)
         solver.control[L.EVENT_TIME] = until

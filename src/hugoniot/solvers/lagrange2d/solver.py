@@ -184,7 +184,7 @@ class Lagrange2D(Shown, NothingToAdd):
         return events
 
     def _march_to(self, end: int, events: list) -> int:
-        """March to the cycle `end` or the event time; steps that leave the range of a law are taken again, and become events."""
+        """March to the cycle `end` or the event time; steps that leave the range of a law are repeated and reported as events."""
         with at_work(self.team, serve, self.plan):
             while (code := self._carry_on(end, self._read_gauges)) == L.BAD_STATE:
                 fault = post_mortem.diagnose(self, code)
@@ -249,11 +249,11 @@ class Lagrange2D(Shown, NothingToAdd):
         return accounts.errors(self)
 
     def exchanges(self) -> dict[str, float]:
-        """Work (J) and impulse (kg m/s) of every chain of boundary edges so far and, where something burns, the heat set free (J)."""
+        """Work (J) and impulse (kg m/s) of every chain of boundary edges so far and, where something burns, the heat released (J)."""
         return accounts.exchanges(self)
 
     def largest_velocity_jump(self) -> dict[str, float]:
-        """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
+        """Material -> largest particle velocity of a shock in it, from its peak pressure on the Rayleigh line, m/s."""
         return accounts.largest_velocity_jump(self.problem, self.zones)
 
     def warnings(self) -> list[str]:

@@ -82,7 +82,7 @@ def gather_thirds(count, z, dt, numbers, law):
 
 @zone_pass(RestOf)
 def add_rest(count, z, dt, numbers, law):
-    """Planar forces added with the weights of the geometry; numbers: the radius that stands for the axis."""
+    """Planar forces added with the weights of the geometry; numbers: the radius used for the axis."""
     rows_apart()
     geometry, f, g = kind_of(law), z.f, z.g
     for j in range(count):

@@ -176,7 +176,7 @@ class Cell:
 
     # -- area weighted -------------------------------------------------------------------------------------------------------
     def _keep_stress(self) -> None:
-        """Keep what the division of the work of the forces asks for at the end of the step."""
+        """Keep what the division of the work of the forces needs at the end of the step."""
         for part, s in zip(self.pair, self.steps):
             own, at = part.own, part.at
             if self.shared or isinstance(self.geometry, AreaWeighted):

@@ -86,7 +86,7 @@ class Metric(NamedTuple):
 
 class Around(NamedTuple):
     """Of a zone: smoothness along both logical directions; strain rates at the start of the step (mean and half difference of the
-    diagonal, shear); volume, sound speed, pressure, density of the solid; viscous stress of the step before (mean and half difference of
+    diagonal, shear); volume, sound speed, pressure, density of the solid; viscous stress of the previous step (mean and half difference of
     the diagonal, shear), and the velocity times length that a pascal of it gives (`zones.viscosity.at_middle`)."""
 
     xi: float
@@ -118,7 +118,7 @@ def metric_of(q):
 
 
 def around(z, j, gives):
-    """`Around` of zone j whose mean viscous stress is still that of the step before; gives: m2 of `Around.gives` over the volume."""
+    """`Around` of zone j whose mean viscous stress is still that of the previous step; gives: m2 of `Around.gives` over the volume."""
     s, xx, yy, qxx, qyy, v = z.smooth, z.smooth.xx[j], z.smooth.yy[j], z.mean.xx[j], z.mean.yy[j], z.v[j]
     return Around(s.xi[j], s.eta[j], s.share[j], 0.5 * (xx + yy), 0.5 * (xx - yy), s.xy[j], v, z.c[j], z.p[j], z.rho[j],
                   0.5 * (qxx + qyy), 0.5 * (qxx - qyy), z.mean.xy[j], gives * v)
@@ -237,7 +237,7 @@ def in_slender(z, j, a, viscous):
 def resist(count, z, dt, numbers, law):
     """Viscous stress of the four corners of zones: its mean, and the planar forces of what each has beyond the mean.
 
-    Stretches of zones in which nothing closes are passed over.
+    Stretches of zones in which nothing closes are skipped.
     """
     rows_apart()
     viscous, first = law_of(law, numbers), 0

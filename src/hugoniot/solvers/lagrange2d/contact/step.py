@@ -101,7 +101,7 @@ def arm_bonds(c, t):
 
 @nb.njit(**BY_ADDRESS)
 def ask(c, nodes, dt, closing):
-    """What pairs and bonds ask of the velocities, with the directions of the start of the step or of its middle."""
+    """What pairs and bonds require of the velocities, with the directions of the start of the step or of its middle."""
     arm_bonds(c, 0.0 if closing else 0.5)
     if closing:
         ask_closing(c, dt)
