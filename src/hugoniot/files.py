@@ -41,8 +41,8 @@ def read_regular(path, limit: int = LARGEST) -> bytes:
     `FileTrouble` for any other kind or a larger one; `OSError` as the system raises it.
     """
     with os.fdopen(open_regular(path), "rb") as file:
-        data = file.read(limit + 1)
-    if len(data) > limit:
+        data = file.read(limit + 1) if os.fstat(file.fileno()).st_size <= limit else None
+    if data is None or len(data) > limit:
         raise FileTrouble(f"{path}: larger than {limit / 1e6:g} MB; is this the right file?")
     return data
 

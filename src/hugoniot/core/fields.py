@@ -1,4 +1,4 @@
-"""One row per field of a state: symbol, word, unit, place. Files, gauges, plot labels, decks and docs all use these names."""
+"""One row per field of a state: symbol, name, unit, location. Files, gauges, plot labels, decks and docs all use these names."""
 
 from typing import NamedTuple
 

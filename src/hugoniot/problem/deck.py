@@ -47,7 +47,9 @@ def read_deck(path: str | Path, overrides: dict[str, Any] | None = None, materia
     path = Path(path)
     try:
         with os.fdopen(open_regular(path), "rb") as file:
-            data = file.read(4 * LARGEST + 1)   # four bytes a character at the most: a result given by mistake is not read to its end
+            if os.fstat(file.fileno()).st_size > 4 * LARGEST:   # four bytes a character at the most: a result given by mistake is not read
+                raise _too_long(path.name)
+            data = file.read(4 * LARGEST + 1)
     except FileTrouble:
         raise
     except OSError as error:
@@ -101,10 +103,14 @@ def write_deck(problem: Any, kind: str | None = None) -> str:
     return "# Written by hugoniot: every default is written out, every number is SI.\n" + to_toml(solver_module(kind).write(problem))
 
 
+def _too_long(name: str) -> DeckError:
+    return DeckError.single(name, None, "deck", f"a deck cannot have more than {LARGEST} characters", "is this the right file?")
+
+
 def parse_deck(text: str, name: str) -> dict:
     """The tables of a deck's text, not looked at yet. Raises `DeckError` where it is not TOML."""
     if len(text) > LARGEST:
-        raise DeckError.single(name, None, "deck", f"a deck cannot have more than {LARGEST} characters", "is this the right file?")
+        raise _too_long(name)
     long = LONG_KEY.search(text)
     if long is not None:
         line = text.count("\n", 0, long.start()) + 1

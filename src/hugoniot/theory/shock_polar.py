@@ -1,7 +1,7 @@
 r"""Shock polars of any equation of state: the pressure behind a steady oblique wave against the angle by which it deflects the stream.
 
-A stream of speed q meets a wave that raises its pressure to p. **Shock** (p above the stream's): only the normal velocity changes; with
-the Hugoniot's v(p)
+A wave changes the pressure of a stream of speed q to p. **Shock** (p above the stream's): only the normal velocity changes; with
+v(p) on the Hugoniot
 
 $$u_n = v_1\sqrt{\frac{p - p_1}{v_1 - v}}, \quad \sin\beta = \frac{u_n}{q}, \quad \tan(\beta - \theta) = \frac{v}{v_1}\tan\beta$$
 

@@ -72,7 +72,7 @@ def sound_speed_ahead(par, ahead: Initial) -> float:
 
 
 def distended(par, ahead: Initial) -> bool:
-    """Whether the initial state is no state of the law: its pores are empty, its pressure and energy are the solid's."""
+    """Whether the initial state is distended, not a state of the law: its pores are empty, its pressure and energy those of the solid."""
     low, high = density_range(par)
     if not low < ahead.density < high:
         return True

@@ -1,6 +1,6 @@
-"""What happens between two steps: a body opens where it failed or where bodies separate, gaps close, and so does a cavity.
+"""What happens between two steps: a body opens where it failed or where bodies separate; gaps and cavities close.
 
-Each changes the topology of the run, keeps its momentum and books its energy, and is handed on as an `Event`.
+Each of these changes the topology of the run, conserves momentum, accounts for the energy and is reported as an `Event`.
 """
 
 import numpy as np

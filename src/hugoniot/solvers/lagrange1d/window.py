@@ -1,6 +1,6 @@
-"""A window of zones that follows what runs through it: laid out with given states, and moved on over material like that ahead.
+"""A window of zones that follows a wave: it starts with given states and moves on over material like that ahead.
 
-For one planar region of like zones with the compatible integrator, whose right end moves with the material ahead of it.
+For one planar region of equal zones with the compatible integrator, whose right end moves with the material ahead of it.
 """
 
 import numpy as np

@@ -10,7 +10,7 @@ $\omega_0 = 2c_s/a$, $\omega^2 = \omega_0^2 - \alpha^2$, at rest at $\tau = 0$:
 
 $$f = -\frac{Pa^3}{4G}\left[1 - e^{-\alpha\tau}\left(\cos\omega\tau + \frac\alpha\omega\sin\omega\tau\right)\right]$$
 
-The front carries the stress $Pa/r$; behind it the solid comes to rest with $u = Pa^3/(4Gr^2)$, without a change of density.
+At the front the stress is $Pa/r$; behind it the solid comes to rest with $u = Pa^3/(4Gr^2)$, without a change of density.
 
 Source: Blake, J. Acoust. Soc. Am. 24 (1952) 211; Sharpe, Geophysics 7 (1942) 144; derived here.
 """

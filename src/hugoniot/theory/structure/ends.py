@@ -1,11 +1,11 @@
-r"""The two ends of a shock's structure: the exact jump of the same law that the inside of the shock obeys.
+r"""The two end states of a shock: the exact jump of the same law that is used inside the shock.
 
-In the frame of the shock the mass flux $m = \rho u$ is constant and the states of the ideal (inviscid) balance lie on the Rayleigh line
+In the frame of the shock the mass flux $m = \rho u$ is constant and states in balance without dissipation lie on the Rayleigh line
 
 $$p = p_1 + m^2 (v_1 - v), \qquad e_R(v) = e_1 + p_1 (v_1 - v) + \tfrac12 m^2 (v_1 - v)^2 .$$
 
-Both ends satisfy $p_{law}(v, e_R(v)) = p$; no constant of the law is bent to make it so (Jordan eq. 7.1.31 bends Gamma), and it holds for
-any equation of state to round-off.
+Both ends satisfy $p_{law}(v, e_R(v)) = p$ to round-off for any equation of state, without adjusting a constant of the law (Jordan eq.
+7.1.31 adjusts Gamma for this).
 """
 
 import math
