@@ -192,7 +192,7 @@ def _note_extrapolation(folder: RunFolder, problem: Problem, solver: Solver, war
         foretold = any(f"data of '{name}'" in text for text in warned)
         if limit is not None and speed > limit and not foretold:
             folder.event(solver.time, solver.cycle, "warning",
-                         f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s; its data reach {limit:.4g} m/s")
+                         f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s, but its data reach only {limit:.4g} m/s")
 
 
 def _doubts(problem: Problem, solver: Solver) -> list[str]:
@@ -232,7 +232,7 @@ def _read(deck_or_problem, deck_text, overrides) -> tuple[Problem, str, list[str
         deck, name = deck_or_problem, re.sub(r"[^a-z0-9]+", "-", deck_or_problem.problem.title.lower()).strip("-") or "run"
     else:
         if not isinstance(deck_or_problem, (str, os.PathLike)):
-            raise TypeError(f"a run is given the path of a deck, a Deck or a Problem, not {type(deck_or_problem).__name__}")
+            raise TypeError(f"give the path of a deck, a Deck or a Problem, not {type(deck_or_problem).__name__}")
         path = pathlib.Path(deck_or_problem)
         if not path.exists():
             raise FileTrouble(f"{path}: no such deck; `hugoniot init` writes one to start from")
