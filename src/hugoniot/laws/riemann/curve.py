@@ -240,7 +240,7 @@ class Curve:
         if self.straight and abs(head - tail) <= NARROW * self.c:      # a branch straight in the volume: a jump is as exact
             after, flux = jump.behind(sigma, ahead, branch, d, deviator)
             speed = ahead.u + d * flux / ahead.rho
-            return Wave("shock", is_elastic, d, ahead, after, speed, speed, None, self.stiffness)
+            return Wave("shock", has_memory(self.matter.par), d, ahead, after, speed, speed, None, self.stiffness)
         return Wave("fan", is_elastic, d, ahead, after, head, tail, fan, self.stiffness)
 
     def at(self, sigma: float) -> tuple[State, float, list[Wave]]:
