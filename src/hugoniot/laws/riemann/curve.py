@@ -188,7 +188,8 @@ class Curve:
     def _lasting(self, wave: Wave) -> Wave:
         """A shock that closes pores; `OutOfRange` where it would outrun the sound behind it."""
         flux = (wave.head - wave.ahead.u) * self.direction * wave.ahead.rho
-        missed = AT_LIMIT * self.stiffness / (wave.behind.sigma - wave.ahead.sigma)
+        rise = wave.behind.sigma - wave.ahead.sigma
+        missed = AT_LIMIT * self.stiffness / max(rise, AT_LIMIT * self.stiffness)
         if spreading.overtaken(wave.behind, flux, self.loading, missed):
             raise OutOfRange(spreading.OVERTAKEN.format(name_of(self.matter.par), wave.behind.sigma))
         return wave
