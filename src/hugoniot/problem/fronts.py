@@ -227,17 +227,34 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
     if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
         found.append((("fracture",), f"has a fracture law; {NAME} cannot open a new surface inside a body: "
                       "leave the law out (nothing spalls then), or use lagrange1d"))
-    if flagged(material.eos, "shocks_only"):
+    if flagged(material.eos, "shocks_only") and _has_strength(material):
         law = EOS.of(material.eos).name
-        found.append((("eos",), f"has a pressure that does not depend on its density ('{law}'): it answers for shocks alone, and "
-                      f"{NAME} has no isentrope to follow on release; use another equation of state, such as mie_gruneisen"))
+        found.append((("strength",), f"has strength and a pressure that does not depend on its density ('{law}'), which bears no tension: "
+                      "leave the strength out, or use another equation of state, such as mie_gruneisen"))
+    if cells and flagged(material.eos, "shocks_only"):
+        found.append((("eos",), f"has a pressure that rises with the square root of its energy at rest ('{EOS.of(material.eos).name}'); "
+                      "cells know that energy as a small difference only, and what is released would be too fast on any mesh: use "
+                      "solver.options.mode = \"algebraic\", or another equation of state, such as mie_gruneisen"))
     if flagged(material.eos, "remembers"):
-        found.append((("eos",), f"keeps its pores crushed: its release is not the isentrope that {NAME} follows; use lagrange1d"))
+        found += _porous_defects(material, cells)
     if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
         law = STRENGTH.of(material.strength).name
         what = "no constant shear modulus" if law in ("constant_poisson", "herrmann") else "no constant yield stress"
         found.append((("strength", "law"), f"has {what} ('{law}'); the waves of {NAME} are exact for perfectly_plastic (or none) only, "
                       "whose deviator depends on the density alone: use one of these, or use lagrange1d"))
+    return found
+
+
+def _porous_defects(material: Material, cells: bool) -> list[tuple[tuple, str]]:
+    """What is not followed of material whose pores stay crushed."""
+    found: list[tuple[tuple, str]] = []
+    if cells and getattr(material.eos, "exponent", 1.0) > 1.0:
+        found.append((("eos", "exponent"), "has a crush curve that is concave at first (an exponent above 1), so that compaction begins "
+                      f"with a fan ahead of its shock, which {NAME} follows in the mode 'algebraic' only: use that, exponent = 1, or "
+                      "lagrange1d"))
+    if _has_strength(material):
+        found.append((("strength",), "has strength and pores that stay crushed: its yield surface would move with the pores, and "
+                      f"{NAME} has no exact waves for both together; leave one out, or use lagrange1d"))
     return found
 
 

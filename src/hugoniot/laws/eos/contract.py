@@ -26,11 +26,12 @@ and, where its theory has them in closed form,
 The last two are needed only for laws whose slopes jump in many places (tables); all others are one piece.
 
 A law with a memory (pores that stay crushed) has one history variable, the compaction, which rises from 0 to 1 (all pores closed) and never
-falls. It is flagged "remembers" and has three more functions; without them it describes the first loading:
+falls. It is flagged "remembers" and has four more functions; without them it describes the first loading:
 
     remembered(compaction, par)           parameters, of the same class, of the law after that history
     unloading(par)                        parameters of its elastic branch: the same history, and no further compaction
     compacted(compaction, rho, e, p, par) the compaction after the state (rho, e, p) has been reached
+    elastic_limit(par)                    pressure, Pa, up to which a remembered law is elastic; NO_LIMIT once all pores are closed
 
 Kernels do not check states; `check_state` does, for interactive callers.
 
@@ -67,6 +68,11 @@ def nothing_compacts(compaction, rho, e, p, par):
     return compaction
 
 
+def never_crushed(par):
+    """Laws without memory are elastic at any pressure."""
+    return NO_LIMIT
+
+
 def one_piece(rho, e, way, par):
     """Laws that do not say where their slopes leap are one piece."""
     return par, 1e-300, NO_LIMIT
@@ -83,7 +89,7 @@ EOS = Registry(
     optional=("temperature", "entropy", "energy", "specific_heat", "particle_velocity_limit", "energy_limits",
               "reference_isentrope", "reference_curve", "hugoniot_curve"),
     derived={"pressure_and_derivatives": both_apart, "remembered": forgets, "unloading": always_elastic, "compacted": nothing_compacts,
-             "smooth_piece": one_piece, "piece_coordinate": never_left},
+             "elastic_limit": never_crushed, "smooth_piece": one_piece, "piece_coordinate": never_left},
 )
 
 
@@ -174,12 +180,17 @@ def compacted(compaction, rho, e, p, par):
     return EOS.of(par).functions["compacted"](compaction, rho, e, p, par)
 
 
+def elastic_limit(par):
+    """Pressure up to which a remembered law is elastic, Pa: beyond it pores go on closing; NO_LIMIT where none are left."""
+    return EOS.of(par).functions["elastic_limit"](par)
+
+
 GENERICS = {
     "pressure": pressure, "pressure_derivatives": pressure_derivatives, "pressure_and_derivatives": pressure_and_derivatives,
     "temperature": temperature,
     "entropy": entropy, "energy": energy, "specific_heat": specific_heat, "reference_state": reference_state,
     "reference_isentrope": reference_isentrope, "reference_curve": reference_curve, "hugoniot_curve": hugoniot_curve,
-    "remembered": remembered, "unloading": unloading, "compacted": compacted,
+    "remembered": remembered, "unloading": unloading, "compacted": compacted, "elastic_limit": elastic_limit,
     "smooth_piece": smooth_piece, "piece_coordinate": piece_coordinate,
 }
 

@@ -137,6 +137,10 @@ def compacted(compaction, rho, e, p, par):
     return fmax(compaction, 1.0 - y * y)
 
 
+def elastic_limit(par):
+    return par.elastic_pressure if par.alpha0 > 1.0 else NO_LIMIT
+
+
 def reference_state(par):
     rho, e = base_reference_state(par.base)
     return rho / par.alpha0, e
@@ -159,7 +163,7 @@ def build(base, alpha0, elastic_pressure, compaction_pressure):
 EOS.add(
     "p_alpha", PAlpha,
     functions=[pressure, pressure_derivatives, pressure_and_derivatives, temperature, specific_heat, reference_state, density_limits,
-               remembered, unloading, compacted],
+               remembered, unloading, compacted, elastic_limit],
     example=PAlpha(MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0), 1.275, 0.08e9, 0.7e9),
     build=build,
     units={"base": "law", "alpha0": "1", "elastic_pressure": "Pa", "compaction_pressure": "Pa"},

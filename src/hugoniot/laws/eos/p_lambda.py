@@ -110,11 +110,12 @@ def _solid_density(rho, e, par):
     return solid - f / slope
 
 
-def _yield_pressure(par):
+def elastic_limit(par):
     """Pressure from which the share that is left is compacted further, Pa."""
-    if par.compaction >= 1.0:
+    if par.compaction >= 1.0 or par.crush_strength >= NO_LIMIT:
         return NO_LIMIT
-    return par.crush_strength * vpow(-vlog(1.0 - par.compaction), 1.0 / par.exponent) if par.compaction > 0.0 else 0.0
+    closed = -vlog(1.0 - par.compaction) if par.compaction > 0.0 else 0.0
+    return par.crush_strength * vpow(closed, 1.0 / par.exponent) if closed > 0.0 else 0.0
 
 
 def _matrix(p, par):
@@ -157,7 +158,7 @@ def _elastic(rho, e, par):
 
 def _holds(p, rho, par):
     """Whether a state whose elastic pressure is p crushes nothing."""
-    return p <= _yield_pressure(par) if par.compaction > 0.0 else rho <= par.rho_porous or par.crush_strength >= NO_LIMIT
+    return p <= elastic_limit(par) if par.compaction > 0.0 else rho <= par.rho_porous or par.crush_strength >= NO_LIMIT
 
 
 def pressure(rho, e, par):
@@ -207,7 +208,8 @@ def unloading(par):
 
 
 def compacted(compaction, rho, e, p, par):
-    return fmax(compaction, 1.0 - vexp(-vpow(p / par.crush_strength, par.exponent))) if p > 0.0 else compaction
+    share = p / par.crush_strength
+    return fmax(compaction, 1.0 - vexp(-vpow(share, par.exponent))) if share > 0.0 else compaction
 
 
 def reference_state(par):
@@ -232,7 +234,7 @@ def build(base, rho_porous, matrix_modulus, crush_strength, exponent=1.0):
 EOS.add(
     "p_lambda", PLambda,
     functions=[pressure, pressure_derivatives, pressure_and_derivatives, temperature, specific_heat, reference_state, density_limits,
-               remembered, unloading, compacted],
+               remembered, unloading, compacted, elastic_limit],
     example=PLambda(MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0), 2100.0, 25e9, 0.4e9, 1.2),
     build=build,
     units={"base": "law", "rho_porous": "kg/m^3", "matrix_modulus": "Pa", "crush_strength": "Pa", "exponent": "1",

@@ -93,6 +93,14 @@ def compacted(compaction, rho, e, p, par):
     return fmax(compaction, (rho - ramp / par.stiffness - par.rho_porous) / (par.rho_solid - par.rho_porous))
 
 
+def elastic_limit(par):
+    """Where the elastic line through the density at rest meets the ramp."""
+    if _closed(par) or par.crush_pressure >= NO_LIMIT:
+        return NO_LIMIT
+    slope = par.crush_pressure / (par.rho_solid - par.rho_porous)
+    return slope * par.stiffness * (par.rho_rest - par.rho_porous) / (par.stiffness - slope)
+
+
 def reference_state(par):
     return par.rho_rest, base_reference_state(par.base)[1]
 
@@ -119,7 +127,7 @@ def build(base, rho_porous, crush_pressure):
 EOS.add(
     "snow_plough", SnowPlough,
     functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits, remembered, unloading,
-               compacted],
+               compacted, elastic_limit],
     example=build(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 1700.0, 0.2e9),
     build=build,
     units={"base": "law", "rho_porous": "kg/m^3", "crush_pressure": "Pa", "rho_solid": "kg/m^3",

@@ -6,12 +6,16 @@ A fluid has a = b = 0. An elastic solid in uniaxial strain has the deviator $s_1
 that $b = \tfrac43 G$ and $a = -s_0 - b\ln\rho_0$; on the yield surface $s_1 = \mp\tfrac23 Y$ is constant, $a = \pm\tfrac23 Y$, b = 0.
 Work is done by the whole stress, $de = \sigma\,d\rho/\rho^2$: the energy of distortion is part of e.
 
+Of a law with a memory (pores that stay crushed) a state carries the compaction k. It leaves that state on the elastic branch of the law at
+that k; beyond the elastic limit the law itself holds, and k grows with the pores that close.
+
 Source: Wilkins B.1 items 5 and 9 with conservation of mass, momentum and energy.
 """
 
 import math
 from typing import Any, NamedTuple
 
+from hugoniot.laws.eos.contract import EOS, remembered, unloading
 from hugoniot.laws.riemann import medium
 
 
@@ -36,13 +40,17 @@ class Matter(NamedTuple):
 
 
 class State(NamedTuple):
-    """density kg/m3, velocity m/s, energy J/kg, longitudinal stress Pa (compression positive), deviator s1 Pa (tension positive)."""
+    """density kg/m3, velocity m/s, energy J/kg, longitudinal stress Pa (compression positive), deviator s1 Pa (tension positive).
+
+    compaction   of a law with a memory: its history variable, 0 before any pore has closed, 1 once all have; else 0
+    """
 
     rho: float
     u: float
     e: float
     sigma: float
     s: float = 0.0
+    compaction: float = 0.0
 
     @property
     def pressure(self) -> float:
@@ -72,8 +80,25 @@ def wave_speed_squared(rho: float, e: float, branch: Branch) -> float:
     return slope + sigma * by_energy / (rho * rho)
 
 
+def has_memory(par) -> bool:
+    """Whether a law keeps its pores crushed."""
+    return not isinstance(par, medium.Frozen) and "remembers" in EOS.of(par).flags
+
+
+def shocks_only(par) -> bool:
+    """Whether the pressure of a law depends on the energy alone."""
+    return not isinstance(par, medium.Frozen) and "shocks_only" in EOS.of(par).flags
+
+
+def loading(matter: Matter, state: State) -> Branch:
+    """The branch on which pores go on closing from the compaction of a state; below its elastic limit the same as `elastic`."""
+    return Branch(remembered(state.compaction, matter.par))
+
+
 def elastic(matter: Matter, state: State) -> Branch:
-    """The branch on which a solid leaves `state` elastically; of a fluid its only one."""
+    """The branch on which a solid, or material whose pores are as crushed as in `state`, leaves it elastically; of a fluid its only one."""
+    if has_memory(matter.par):
+        return Branch(unloading(remembered(state.compaction, matter.par)))
     if not matter.yield_stress:
         return Branch(matter.par)
     b = 4.0 / 3.0 * matter.shear_modulus

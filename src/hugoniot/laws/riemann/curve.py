@@ -4,18 +4,37 @@ A fluid answers compression with one shock and release with one fan. An elastic-
 elastic wave up to its yield point and a plastic wave behind it; where the plastic shock would outrun the elastic one, both are one shock.
 Feeble expansions may be asked for as jumps (`as_jumps`), which keeps the conservation laws exact where a fan has to be cut up.
 
-Source: Courant and Friedrichs, sections 54 to 81; Wilkins B.1 items 5 and 9 for the yield condition.
+Material whose pores stay crushed answers release, and compression up to its elastic limit, on the elastic branch of its law; beyond the
+limit the pores go on closing. The compaction wave follows the elastic precursor as the plastic wave follows it in a solid, and merges with
+it where it would be the faster one. Where the crush curve bends the other way at first, it begins with a fan (`spreading`).
+
+Source: Courant and Friedrichs, sections 54 to 81; Wilkins B.1 items 5 and 9 for the yield condition; Herrmann, J. Appl. Phys. 40, 2490
+(1969) for the two waves in porous material.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from hugoniot.core.ops import NO_LIMIT
 from hugoniot.errors import OutOfRange
-from hugoniot.laws.riemann import jump
-from hugoniot.laws.riemann.branch import Branch, Matter, State, elastic, plastic, wave_speed_squared, yield_density
+from hugoniot.laws.eos.contract import elastic_limit
+from hugoniot.laws.riemann import jump, spreading
+from hugoniot.laws.riemann.branch import (
+    Branch,
+    Matter,
+    State,
+    elastic,
+    has_memory,
+    loading,
+    plastic,
+    shocks_only,
+    wave_speed_squared,
+    yield_density,
+)
 from hugoniot.laws.riemann.fan import Fan
 from hugoniot.laws.riemann.medium import Solid, is_gas, name_of, strength_left
 from hugoniot.laws.riemann.solid import TURNS, turned
+from hugoniot.laws.riemann.spreading import AT_LIMIT, NARROW, Spreading
 
 SPRAY = ("law '{}' is stretched to the largest tension it supports, {:.6g} Pa: no wave runs there, and a surface would open inside "
          "the body (use lagrange1d, or a law that supports more tension)")
@@ -26,10 +45,12 @@ class Wave:
     """One wave.
 
     kind         "shock" (a jump of either sign), "fan"
-    elastic      whether it is the elastic wave of a solid
+    elastic      whether it is the elastic wave of a solid, or of porous material below its elastic limit
     direction    -1 into the left, +1 into the right material
     ahead, behind, head, tail   states, and velocities of the edges in the laboratory, m/s (equal for a shock)
     path         the `Fan` behind a fan, None for a shock
+    attached     whether it runs directly behind the wave ahead of it, at the same speed: a shock at the tail of a fan, a fan behind a jump
+    smooth       whether it is a jump of rising stress that stands for a fan
     """
 
     kind: str
@@ -40,14 +61,15 @@ class Wave:
     head: float
     tail: float
     path: Fan | None = None
+    stiffness: float = 0.0
+    attached: bool = False
+    smooth: bool = False
 
     @property
     def strength(self) -> float:
         """Change of stress over rho c^2 of the softer side: 0 for nothing, of order 1 for a strong wave."""
         rise = abs(self.behind.sigma - self.ahead.sigma)
         return rise / max(abs(self.ahead.sigma), abs(self.behind.sigma), self.stiffness)
-
-    stiffness: float = 0.0
 
 
 class Curve:
@@ -74,10 +96,20 @@ class Curve:
         self.stiffness = state.rho * square
         self._limits: dict[int, tuple[State, float]] = {}
         self._fans: dict[str, Fan] = {}
+        self._compaction: Spreading | None = None
+        self.loading, self.crushing = self.branch, NO_LIMIT
+        if has_memory(matter.par):
+            self.loading = loading(matter, state)
+            self.crushing = elastic_limit(self.loading.par)
+        self.porous = self.crushing < NO_LIMIT
+        self.straight = has_memory(matter.par) or shocks_only(matter.par)      # branches may be straight in p and v
 
     # -- elastic limits ----------------------------------------------------------------------------------------------
     def _limit(self, way: int) -> tuple[State, float]:
         """(state at the elastic limit in compression 1 or extension -1, mass flux of the jump to it)."""
+        if way not in self._limits and self.porous:
+            at_limit = self.crushing - self.state.sigma <= AT_LIMIT * self.stiffness
+            self._limits[way] = (self.state, math.inf) if at_limit else jump.behind(self.crushing, self.state, self.branch, self.direction)
         if way not in self._limits:
             rho = yield_density(self.matter, self.state, way)
             s = -way * 2.0 / 3.0 * self.matter.yield_stress
@@ -102,19 +134,70 @@ class Curve:
         if sigma == self.state.sigma:
             return []
         way = 1 if sigma > self.state.sigma else -1
-        if not self.solid:
+        if not self.solid and not (self.porous and way > 0):
             return [self._one(sigma, self.state, self.branch, False)]
         limit, flux = self._limit(way)
         if limit is self.state:
-            return [self._one(sigma, self.state, self._plastic(sigma, self.state, way)[0], False)]
+            return self._crush(sigma, limit) if self.porous else [
+                self._one(sigma, self.state, self._plastic(sigma, self.state, way)[0], False)]
         if (sigma - limit.sigma) * way <= 0.0:
             return [self._one(sigma, self.state, self.branch, True)]
         first = self._one(limit.sigma, self.state, self.branch, True, limit, flux)
+        if self.porous:
+            return self._behind_precursor(sigma, first)
         second = self._one(sigma, limit, self._plastic(sigma, limit, way)[0], False)
         if way > 0 and second.head * self.direction >= first.tail * self.direction:
             branch, deviator = self._plastic(sigma, self.state, way)
             return [self._one(sigma, self.state, branch, False, deviator=deviator)]
         return [first, second]
+
+    # -- pores that close ----------------------------------------------------------------------------------------------
+    def _behind_precursor(self, sigma: float, first: Wave) -> list[Wave]:
+        """The precursor and the waves that close pores behind it; one shock where they would outrun it."""
+        found = self._crush(sigma, first.behind)
+        lead = (found[0].head - first.tail) * self.direction
+        if found[0].kind == "shock":
+            return [self._lasting(self._one(sigma, self.state, self.loading, False))] if lead >= 0.0 else [first, *found]
+        if lead > NARROW * self.c:
+            raise OutOfRange(spreading.REVERSED.format(name_of(self.matter.par)))
+        if lead < -NARROW * self.c:
+            return [first, *found]
+        return [first, replace(found[0], head=first.tail, attached=True), *found[1:]]
+
+    def _crush(self, sigma: float, ahead: State) -> list[Wave]:
+        """The waves that close pores, from a state at its elastic limit to a stress above it: a shock, a fan, or a fan and a shock."""
+        direct = self._one(sigma, ahead, self.loading, False)
+        flux, least = (direct.head - ahead.u) * self.direction * ahead.rho, math.sqrt(direct.stiffness * ahead.rho)
+        feeble = sigma - ahead.sigma <= spreading.FEEBLE * direct.stiffness      # then the shock does not tell, but the sound behind it
+        if flux >= least * (1.0 - NARROW) and not (feeble and spreading.overtaken(direct.behind, flux, self.loading)):
+            return [self._lasting(direct)]
+        if self.as_jumps:
+            return [replace(direct, smooth=True)]
+        path = self._spreading(ahead)
+        node = path.shock_to(sigma)
+        end = path.at_stress(sigma) if node is None else node
+        after, d = path.state(end, self.direction), self.direction
+        tail = after.u + d * path.speed(end)
+        fan = Wave("fan", False, d, ahead, after if node else after._replace(sigma=sigma), ahead.u + d * path.speed(path.nodes[0]), tail,
+                   path.until(end), self.stiffness)
+        if node is None:
+            return [fan]
+        shock = self._one(sigma, after, loading(self.matter, after), False)
+        return [replace(fan, tail=shock.head), self._lasting(replace(shock, attached=True))]
+
+    def _lasting(self, wave: Wave) -> Wave:
+        """A shock that closes pores; `OutOfRange` where it would outrun the sound behind it."""
+        flux = (wave.head - wave.ahead.u) * self.direction * wave.ahead.rho
+        rise = wave.behind.sigma - wave.ahead.sigma
+        missed = AT_LIMIT * self.stiffness / max(rise, AT_LIMIT * self.stiffness)
+        if spreading.overtaken(wave.behind, flux, self.loading, missed):
+            raise OutOfRange(spreading.OVERTAKEN.format(name_of(self.matter.par), wave.behind.sigma))
+        return wave
+
+    def _spreading(self, ahead: State) -> Spreading:
+        if self._compaction is None:
+            self._compaction = Spreading(ahead, self.loading, self.matter.par)
+        return self._compaction
 
     def _plastic(self, sigma: float, ahead: State, way: int) -> tuple[Branch, float]:
         """(branch, s1 behind) of a plastic wave to a stress; in a cylinder it turns the stress (solid.py)."""
@@ -141,6 +224,11 @@ class Curve:
 
     def _one(self, sigma, ahead: State, branch: Branch, is_elastic, after: State | None = None, flux=0.0, deviator=None) -> Wave:
         d = self.direction
+        if self.porous and not is_elastic and sigma > ahead.sigma:
+            square = spreading.loading_square(ahead, branch)
+            after, flux = jump.behind(sigma, ahead, branch, d, None, square)
+            speed = ahead.u + d * flux / ahead.rho
+            return Wave("shock", False, d, ahead, spreading.crushed(after, self.matter.par), speed, speed, None, ahead.rho * square)
         if sigma > ahead.sigma or self.as_jumps or (is_elastic and self.elastic_jumps):
             if after is None:
                 after, flux = jump.behind(sigma, ahead, branch, d, deviator)
@@ -149,8 +237,12 @@ class Curve:
         fan = self._fan("elastic" if is_elastic else "plastic", ahead, branch) if not branch.b or is_elastic else Fan(ahead, branch)
         node = fan.at_stress(sigma)
         after = fan.state(node, d)._replace(sigma=sigma)
-        return Wave("fan", is_elastic, d, ahead, after, ahead.u + d * fan.speed(fan.nodes[0]), after.u + d * fan.speed(node), fan,
-                    self.stiffness)
+        head, tail = ahead.u + d * fan.speed(fan.nodes[0]), after.u + d * fan.speed(node)
+        if self.straight and abs(head - tail) <= NARROW * self.c:      # a branch straight in the volume: a jump is as exact
+            after, flux = jump.behind(sigma, ahead, branch, d, deviator)
+            speed = ahead.u + d * flux / ahead.rho
+            return Wave("shock", has_memory(self.matter.par), d, ahead, after, speed, speed, None, self.stiffness)
+        return Wave("fan", is_elastic, d, ahead, after, head, tail, fan, self.stiffness)
 
     def at(self, sigma: float) -> tuple[State, float, list[Wave]]:
         """(innermost state, d|u|/dsigma, waves) at the stress sigma."""
@@ -166,6 +258,8 @@ class Curve:
         return last.behind, jump.slope(sigma, last.ahead, last.behind, branch, flux), found
 
     def _branch_of(self, wave: Wave) -> Branch:
+        if self.porous and not wave.elastic and wave.behind.sigma > wave.ahead.sigma:
+            return self.loading
         if not self.solid or wave.elastic:
             return self.branch
         return self._plastic(wave.behind.sigma, wave.ahead, 1 if wave.behind.s < 0.0 else -1)[0]
@@ -175,6 +269,11 @@ class Curve:
     def gas(self) -> bool:
         """Whether the material expands without bound."""
         return is_gas(self.matter.par)
+
+    @property
+    def bears_tension(self) -> bool:
+        """Whether it can be held where it is pulled."""
+        return not self.gas and not shocks_only(self.matter.par)
 
     def surface(self) -> tuple[float, list[Wave]]:
         """(velocity, waves) of the surface towards nothing: zero stress, or for a gas the complete expansion."""

@@ -2,9 +2,9 @@ r"""The isentrope of a fan, from the state ahead of it to any stress, density or
 
 $$\frac{de}{d\ln\rho} = \frac{\sigma}{\rho}, \qquad \frac{dw}{d\ln\rho} = c, \qquad \xi = u + d\,c, \qquad u = u_0 + d\,w$$
 
-An ideal or stiffened gas has it in closed form. Any other law is integrated in ln(rho) by Gauss-Legendre collocation with four stages
-(order eight; nodes and matrix are computed, not copied), steps halved until a step and its two halves agree to 1e-13. The nodes passed are
-kept: a search along the fan starts from the nearest one.
+An ideal or stiffened gas has it in closed form, a law whose pressure depends on the energy alone by quadrature. Others are integrated in
+ln(rho) by Gauss-Legendre collocation with four stages (order eight; nodes and matrix are computed, not copied), steps halved until a
+step and its two halves agree to 1e-13. The nodes passed are kept: a search along the fan starts from the nearest one.
 
 Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, section II.7 (collocation).
 """
@@ -15,7 +15,10 @@ import numpy as np
 
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.shock_energy import REST, ShockEnergy
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
+from hugoniot.laws.riemann import energy_alone
+from hugoniot.laws.riemann.bracket import root
 from hugoniot.laws.riemann.branch import Branch, State, stress_and_slopes, wave_speed_squared
 from hugoniot.laws.riemann.medium import Frozen, limits_of, name_of
 
@@ -40,11 +43,18 @@ _NODES, _MATRIX, _WEIGHTS = _collocation(4)
 
 
 class Fan:
-    """A path (rho, e, w) along the isentrope through `ahead`, w = integral of c d ln(rho) (negative on release)."""
+    """A path (rho, e, w) along the isentrope through `ahead`, w = integral of c d ln(rho) (negative on release).
+
+    way   -1 towards lower densities; +1 is for the waves of `spreading`
+    """
+
+    way, smallest, tolerance = -1.0, SMALLEST, TOLERANCE
 
     def __new__(cls, ahead: State, branch: Branch):
-        closed = isinstance(branch.par, (IdealGas, StiffenedGas)) and not branch.a and not branch.b
-        return object.__new__(_ClosedFan if closed else Fan)
+        if branch.a or branch.b:
+            return object.__new__(Fan)
+        closed = isinstance(branch.par, (IdealGas, StiffenedGas))
+        return object.__new__(_ClosedFan if closed else _EnergyFan if isinstance(branch.par, ShockEnergy) else Fan)
 
     def __init__(self, ahead: State, branch: Branch):
         self.ahead, self.branch = ahead, branch
@@ -79,13 +89,14 @@ class Fan:
         return s0 + h, e, w0 + h * sum(b * r[1] for b, r in zip(_WEIGHTS, rates))
 
     def _extend(self) -> None:
-        """One more node towards low densities."""
+        """One more node on the way."""
         node, h = self.nodes[-1], self._next
         while True:
-            whole = self._step(node, -h)
-            half = self._step(self._step(node, -0.5 * h), -0.5 * h)
+            whole = self._step(node, self.way * h)
+            half = self._step(self._step(node, 0.5 * self.way * h), 0.5 * self.way * h)
             scale = max(self._rates(*node[:2])[1] ** 2, self._rates(*half[:2])[1] ** 2)
-            if abs(whole[1] - half[1]) <= TOLERANCE * scale and abs(whole[2] - half[2]) <= TOLERANCE * math.sqrt(scale) or h <= SMALLEST:
+            if (abs(whole[1] - half[1]) <= self.tolerance * scale and abs(whole[2] - half[2]) <= self.tolerance * math.sqrt(scale)
+                    or h <= self.smallest):
                 break
             h *= 0.5
         self.nodes.append(half)
@@ -98,7 +109,11 @@ class Fan:
         s, e, w = node
         rho = self.ahead.rho * math.exp(s)
         sigma = stress_and_slopes(rho, e, self.branch)[0]
-        return State(rho, self.ahead.u + direction * w, e, sigma, self.ahead.s - self.branch.b * s)
+        return State(rho, self.ahead.u + direction * w, e, sigma, self.ahead.s - self.branch.b * s, self.ahead.compaction)
+
+    def kept(self, state: State) -> State:
+        """A state near the fan with the history of the fan's."""
+        return state
 
     def speed(self, node) -> float:
         """Sound speed there, m/s."""
@@ -244,3 +259,42 @@ class _ClosedFan(Fan):
 
     def complete(self) -> float:
         return -2.0 / (self.gamma - 1.0) * self.c
+
+
+class _EnergyFan(Fan):
+    """A pressure that depends on the energy alone: every place on the isentrope is known by its u_p (`energy_alone`)."""
+
+    def __init__(self, ahead: State, branch: Branch):
+        super().__init__(ahead, branch)
+        self.start = energy_alone.velocity_of(ahead.sigma, branch.par)
+
+    def _node(self, u: float):
+        grown, w = energy_alone.release(u, self.start, self.branch.par)
+        return -math.log1p(self.ahead.rho * grown), 0.5 * (u * u - REST * REST), w
+
+    def state(self, node, direction: int) -> State:
+        u = energy_alone.of_energy(node[1])
+        sigma = self.branch.par.rho0 * (self.branch.par.c0 + u * (self.branch.par.s + u * self.branch.par.s2)) * u
+        return State(self.ahead.rho * math.exp(node[0]), self.ahead.u + direction * node[2], node[1], sigma)
+
+    def speed(self, node) -> float:
+        return energy_alone.impedance(energy_alone.of_energy(node[1]), self.branch.par) / (self.ahead.rho * math.exp(node[0]))
+
+    def _where(self, value, target: float):
+        """The node where a value that falls along the isentrope equals the target; the end of it at rest or at the start."""
+        ends = value(self._node(0.0)) - target, value(self._node(self.start)) - target
+        if ends[0] >= 0.0 or ends[1] <= 0.0:
+            return self._node(0.0 if ends[0] >= 0.0 else self.start)
+        return self._node(root(lambda u: value(self._node(u)) - target, 0.0, self.start, *ends))
+
+    def at_stress(self, sigma: float):
+        return self._node(energy_alone.velocity_of(sigma, self.branch.par))
+
+    def at_density(self, rho: float):
+        return self._where(lambda node: node[0], math.log(rho / self.ahead.rho))
+
+    def at_impedance(self, impedance: float):
+        return self._where(lambda node: self.ahead.rho * math.exp(node[0]) * self.speed(node), impedance)
+
+    def at_characteristic(self, relative: float):
+        return self._where(lambda node: node[2] + self.speed(node), relative)

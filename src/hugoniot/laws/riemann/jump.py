@@ -5,9 +5,9 @@ With the drop of specific volume $x = v_0 - v$ and the mass flux m through the f
 $$m^2 = \frac{\sigma-\sigma_0}{x}, \qquad u - u_0 = d\,\frac{\sigma-\sigma_0}{m}, \qquad e - e_0 = \tfrac12(\sigma+\sigma_0)\,x$$
 
 for a front that runs into the material in the direction d = +-1. x is found from sigma(1/(v0 - x), e0 + (sigma + sigma0) x / 2) = sigma
-by Newton's method inside a bracket (ideal and stiffened gas have it in closed form); solving for the difference keeps feeble jumps as
-accurate as strong ones. An expansion obeys the same three relations: its entropy falls with the cube of its strength, its conservation
-is exact.
+by Newton's method inside a bracket (ideal and stiffened gas, and `energy_alone`, have it in closed form); solving for the difference keeps
+feeble jumps as accurate as strong ones. An expansion obeys the same three relations: its entropy falls with the cube of its strength, its
+conservation is exact.
 
 Source: Courant and Friedrichs, Supersonic Flow and Shock Waves, sections 54 and 65.
 """
@@ -16,7 +16,9 @@ import math
 
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.shock_energy import ShockEnergy
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
+from hugoniot.laws.riemann import energy_alone
 from hugoniot.laws.riemann.branch import Branch, State, stress, stress_and_slopes, wave_speed_squared
 from hugoniot.laws.riemann.medium import limits_of, name_of
 
@@ -24,9 +26,13 @@ FEEBLE = 3e-8      # rise over rho c^2 below which a jump is acoustic to round-o
 _STEPS = 200
 
 
-def volume_drop(sigma: float, ahead: State, branch: Branch) -> float:
-    """x = v0 - v behind a jump to the stress sigma; `OutOfRange` where the law has no such state."""
-    square = wave_speed_squared(ahead.rho, ahead.e, branch)
+def volume_drop(sigma: float, ahead: State, branch: Branch, square: float | None = None) -> float:
+    """x = v0 - v behind a jump to the stress sigma; `OutOfRange` where the law has no such state.
+
+    square   c^2 of the weakest jump in that direction (m2/s2), where the branch has a kink at the state ahead; None: the branch's own
+    """
+    if square is None:
+        square = wave_speed_squared(ahead.rho, ahead.e, branch)
     if not square > 0.0 and not (square == 0.0 and sigma > ahead.sigma):
         raise OutOfRange(f"law '{name_of(branch.par)}' is unstable at {ahead.rho:.6g} kg/m3 and {ahead.e:.6g} J/kg: "
                          f"c^2 = {square:.4g} m2/s2")
@@ -37,6 +43,8 @@ def volume_drop(sigma: float, ahead: State, branch: Branch) -> float:
         if not sigma + stiff >= 0.0:
             raise OutOfRange(f"law '{name_of(branch.par)}' cannot support a stress of {sigma:.6g} Pa")
         return 2.0 * rise * v0 / under if rise else 0.0
+    if isinstance(branch.par, ShockEnergy) and not branch.a and not branch.b:
+        return energy_alone.drop(sigma, ahead.sigma, branch.par)
     if abs(rise) <= FEEBLE * ahead.rho * square:
         return rise / (ahead.rho * ahead.rho * square)
     rest, highest = limits_of(branch.par)
@@ -68,7 +76,7 @@ def _newton(x, sigma, ahead: State, branch: Branch, ends) -> float:
             low = x
         stiff = rho * rho * by_rho + mean * by_e
         step = miss / stiff if math.isfinite(miss) and stiff != 0.0 else math.nan
-        new = x - step
+        new = min(x - step, 0.5 * (x + v0))      # no step more than doubles the density: far beyond, a law may turn to tension
         if not low < new < high or not math.isfinite(new):
             new = 0.5 * (low + high)
         moved = abs(new - x)
@@ -80,19 +88,21 @@ def _newton(x, sigma, ahead: State, branch: Branch, ends) -> float:
     raise NoSolution(f"no jump of '{name_of(branch.par)}' from {ahead.sigma:.6g} Pa reaches {sigma:.6g} Pa")
 
 
-def behind(sigma: float, ahead: State, branch: Branch, direction: int, deviator: float | None = None) -> tuple[State, float]:
+def behind(sigma: float, ahead: State, branch: Branch, direction: int, deviator: float | None = None,
+           square: float | None = None) -> tuple[State, float]:
     """(state behind, mass flux kg/m2/s) of a jump to the stress sigma that runs in `direction`.
 
     deviator   s1 behind; None: what the branch gives from the state ahead
+    square     see `volume_drop`
     """
-    x = volume_drop(sigma, ahead, branch)
+    x = volume_drop(sigma, ahead, branch, square)
     rise = sigma - ahead.sigma
     flux = math.sqrt(rise / x) if x != 0.0 else ahead.rho * math.sqrt(max(wave_speed_squared(ahead.rho, ahead.e, branch), 0.0))
     rho = 1.0 / (1.0 / ahead.rho - x)
     if deviator is None:
         deviator = ahead.s - branch.b * math.log(rho / ahead.rho) if branch.b else ahead.s
     u = ahead.u + direction * (rise / flux if flux else 0.0)
-    return State(rho, u, ahead.e + 0.5 * (sigma + ahead.sigma) * x, sigma, deviator), flux
+    return State(rho, u, ahead.e + 0.5 * (sigma + ahead.sigma) * x, sigma, deviator, ahead.compaction), flux
 
 
 def slope(sigma: float, ahead: State, after: State, branch: Branch, flux: float) -> float:
@@ -100,7 +110,9 @@ def slope(sigma: float, ahead: State, after: State, branch: Branch, flux: float)
     x, rise = 1.0 / ahead.rho - 1.0 / after.rho, sigma - ahead.sigma
     if abs(rise) <= 1e-6 * ahead.rho * flux * flux / (ahead.rho * ahead.rho):
         return 1.0 / flux
-    _, by_rho, by_e = stress_and_slopes(after.rho, after.e, branch)
+    # a pressure that depends on the energy alone has an infinite slope at rest, where rounding must not decide on the energy
+    e = 0.5 * energy_alone.velocity_of(sigma, branch.par) ** 2 if isinstance(branch.par, ShockEnergy) else after.e
+    _, by_rho, by_e = stress_and_slopes(after.rho, e, branch)
     # the energy behind rises with sigma at fixed volume by x/2, and with x at fixed sigma by (sigma + sigma0)/2
     stiff = after.rho**2 * by_rho + 0.5 * by_e * (sigma + ahead.sigma)
     if stiff == 0.0:      # a law whose tension is cut off supports no more of it

@@ -25,7 +25,16 @@ from typing import Any, NamedTuple
 
 from hugoniot.laws.burn.contract import Reactive
 from hugoniot.laws.eos import contract
-from hugoniot.laws.eos.contract import EOS, flagged, pressure_and_derivatives
+from hugoniot.laws.eos.contract import (
+    EOS,
+    compacted,
+    flagged,
+    pressure,
+    pressure_and_derivatives,
+    pressure_derivatives,
+    remembered,
+    unloading,
+)
 from hugoniot.laws.mixture.contract import MIXTURE, Mixed, slopes, solve
 from hugoniot.laws.mixture.search import NASCENT
 
@@ -45,6 +54,12 @@ class Solid(NamedTuple):
     eos: Any
     shear_modulus: float
     yield_stress: float
+
+
+class Porous(NamedTuple):
+    """Material whose pores stay crushed: a law with a memory, for kernels that know a state by its compaction too."""
+
+    eos: Any
 
 
 class OnBranch(NamedTuple):
@@ -70,12 +85,15 @@ def mixed_answer(rho, e, burned, volume, energy, mixture):
 def answer(rho, e, burned, volume, energy, par):
     """(p, dp/drho, dp/de) of a law or of the mixture of a `Reactive` pair; of a solid sigma for p.
 
-    volume, energy   of a mixture: reference state; of a `Solid`: its stretch z and its hoop strain h; `OnBranch`: a and b of its branch
+    volume, energy   of a mixture: reference state; of a `Solid`: its stretch z and its hoop strain h; `OnBranch`: a and b of its branch;
+                     energy of `Porous`: its compaction
     """
     if isinstance(par, Reactive):
         return reactive_answer(rho, e, burned, volume, energy, par)
     if isinstance(par, Solid):
         return solid_answer(rho, e, burned, volume, energy, par)
+    if isinstance(par, Porous):
+        return porous_answer(rho, e, burned, volume, energy, par)
     if isinstance(par, OnBranch):
         return branch_answer(rho, e, burned, volume, energy, par)
     return plain_answer(rho, e, burned, volume, energy, par)
@@ -106,6 +124,14 @@ def solid_answer(rho, e, burned, stretch, hoop, par):
     """The slopes are those of elastic strain, whose waves are the faster ones."""
     p, p_rho, p_e = pressure_and_derivatives(rho, e, par.eos)
     return p - deviator(stretch, hoop, par), p_rho + 4.0 / 3.0 * par.shear_modulus / rho, p_e
+
+
+def porous_answer(rho, e, burned, volume, compaction, par):
+    """The slopes are those of the elastic branch, whose waves are the faster ones."""
+    k = min(max(compaction, 0.0), 1.0)
+    p = pressure(rho, e, remembered(k, par.eos))
+    p_rho, p_e = pressure_derivatives(rho, e, unloading(remembered(compacted(k, rho, e, p, par.eos), par.eos)))
+    return p, p_rho, p_e
 
 
 def reactive_answer(rho, e, burned, volume, energy, par):

@@ -32,7 +32,7 @@ class Limit(NamedTuple):
 
 def waves(target, side, par):
     """(`Behind`, `Limit`) of the wave or waves to a pressure or stress."""
-    return solid_waves(target, side, par) if isinstance(par, Solid) else plain_waves(target, side, par)
+    return solid_waves(target, side, par) if isinstance(par, Solid) else plain_waves(target, side, par)      # of kernels also `porous`
 
 
 def plain_waves(target, side, par):

@@ -14,6 +14,7 @@ from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.curve import SPRAY, Curve, Wave
 from hugoniot.laws.riemann.medium import name_of
 
+AT_REST = 1e-11       # of the sound speeds: bodies that part no faster are at rest side by side
 TORN = 1e-6      # of the sound speeds: a difference of velocity that is no rounding
 
 
@@ -103,7 +104,7 @@ def _apart(left: Curve, right: Curve) -> Solution | None:
     if lowest >= 0.0 and (closing >= 0.0 or zr * left.state.sigma + zl * right.state.sigma + zl * zr * closing > 0.0):
         return None
     (ul, waves_left), (ur, waves_right) = left.surface(), right.surface()
-    if ul >= ur:
+    if ul - ur >= -AT_REST * (left.c + right.c):
         return None
     return Solution(waves_left, waves_right, (ul, ur), 0.0, True)
 

@@ -3,9 +3,10 @@
 import numpy as np
 
 from hugoniot.laws.riemann.branch import State as Point
-from hugoniot.laws.riemann.branch import elastic
+from hugoniot.laws.riemann.branch import elastic, loading
 from hugoniot.laws.riemann.curve import Wave
 from hugoniot.laws.riemann.fan import Fan
+from hugoniot.laws.riemann.spreading import Spreading
 from hugoniot.solvers.fronts.line import Front, Piece
 from hugoniot.solvers.fronts.record import COLUMNS
 
@@ -58,8 +59,9 @@ def _piece(bench, row: dict) -> Piece:
         n, matter = row["wave"]["numbers"], bench.matters[int(row["region"])]
         ahead = Point(*row["wave"]["ahead"])
         branch = elastic(matter, ahead)._replace(a=n[3], b=n[4])
-        wave = Wave("fan", bool(row["wave"]["elastic"]), int(n[0]), ahead, Point(*row["wave"]["behind"]), n[1], n[2],
-                    Fan(ahead, branch), n[5])
+        path = Fan(ahead, branch) if not row["wave"]["end"] else Spreading(ahead, loading(matter, ahead), matter.par).until(
+            tuple(row["wave"]["end"]))
+        wave = Wave("fan", bool(row["wave"]["elastic"]), int(n[0]), ahead, Point(*row["wave"]["behind"]), n[1], n[2], path, n[5])
     return Piece(row["kind"], int(row["region"]), Point(*row["state"]), wave, row["x0"], row["t0"], bool(row["broken"]))
 
 
@@ -67,5 +69,6 @@ def _wave_row(wave: Wave | None) -> dict | None:
     if wave is None:
         return None
     branch = wave.path.branch
-    return {"elastic": wave.elastic, "ahead": list(wave.ahead), "behind": list(wave.behind),
+    end = list(wave.path.nodes[-1]) if isinstance(wave.path, Spreading) else []
+    return {"elastic": wave.elastic, "ahead": list(wave.ahead), "behind": list(wave.behind), "end": end,
             "numbers": [float(wave.direction), wave.head, wave.tail, branch.a, branch.b, wave.stiffness]}

@@ -29,7 +29,8 @@ def slices(piece: Piece, left: float, right: float, time: float, bench: Bench) -
         u = momentum / mass
         e = energy / mass - 0.5 * u * u
         s = wave.ahead.s - (branch.b * math.log(mass / wave.ahead.rho) if branch.b else 0.0)
-        found.append(Piece("state", piece.region, State(float(mass), float(u), float(e), float(stress(mass, e, branch)), float(s))))
+        state = State(float(mass), float(u), float(e), float(stress(mass, e, branch)), float(s), wave.ahead.compaction)
+        found.append(Piece("state", piece.region, wave.path.kept(state)))
     _keep_on_branch(matter, found, branch)
     if wave.behind.rho == 0.0:
         found[0 if wave.direction > 0 else -1].broken = True

@@ -21,7 +21,8 @@ OUTSIDE = ("vacuum", "wall", "pressure", "open")
 
 @dataclass
 class Front:
-    """kind: shock, expansion, elastic shock, fan head, fan tail, contact, interface, surface, end; strength of the wave (0 for contacts).
+    """kind: shock, expansion, elastic shock, fan head, fan tail, contact, interface, surface, end (of fans also "elastic fan head" and
+    "compaction fan head"); strength of the wave (0 for contacts).
 
     direction   -1 or +1 for a wave that runs into its left or right neighbour, 0 for what moves with the material
     sliced      whether it came out of the slices of a fan that was cut

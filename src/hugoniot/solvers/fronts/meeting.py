@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 from hugoniot.laws.riemann import solver as exact
-from hugoniot.laws.riemann.branch import Matter
+from hugoniot.laws.riemann.branch import Matter, elastic, has_memory, wave_speed_squared
 from hugoniot.laws.riemann.curve import Curve, Wave
 from hugoniot.solvers.fronts.line import OUTSIDE, Front, Piece
 
@@ -59,8 +59,9 @@ def solve(left: Piece, right: Piece, bench: Bench, sliced: bool) -> exact.Soluti
 
 
 def _feeble(waves: list[Wave], bench: Bench) -> bool:
-    """Whether all releases among the waves are so weak that jumps do for them."""
-    return all(w.behind.sigma >= w.ahead.sigma or abs(w.behind.u - w.ahead.u) < MERGED * bench.fan_step * abs(w.head - w.ahead.u)
+    """Whether all fans among the waves are so weak that jumps do for them."""
+    least = MERGED * bench.fan_step
+    return all((w.behind.sigma >= w.ahead.sigma and not w.smooth) or abs(w.behind.u - w.ahead.u) < least * abs(w.head - w.ahead.u)
                for w in waves)
 
 
@@ -73,13 +74,13 @@ def _solved(left: Piece, right: Piece, bench: Bench, jumps) -> exact.Solution:
         if outer.kind == "pressure":
             return exact.surface(side, bench.pressures[-d])
         if outer.kind == "wall":
-            return exact.wall(side, bench.walls[-d], bonded=not side.gas)
+            return exact.wall(side, bench.walls[-d], bonded=side.bears_tension)
         state = inner.edge(-d)
         return exact.Solution([], [], (state.u, state.u), state.sigma)
     a = Curve(bench.of(left), left.edge(1), -1, jumps[0], bench.narrow)
     b = Curve(bench.of(right), right.edge(-1), 1, jumps[1], bench.narrow)
     grip = float("inf") if left.region == right.region else bench.grips[left.region]
-    if a.gas or b.gas:
+    if not (a.bears_tension and b.bears_tension):
         grip = 0.0
     found = exact.contact(a, b, bonded=grip > 0.0)
     return exact.contact(a, b) if grip > 0.0 and found.stress < -grip else found
@@ -118,13 +119,12 @@ def outgoing(left: Piece, right: Piece, x: float, t: float, bench: Bench,
 
 def _units(left: Piece, right: Piece, found: exact.Solution, x, t, bench: Bench) -> tuple[list[Unit], list[Piece]]:
     """Everything that leaves, from left to right, and the pieces between."""
-    units = [_unit(wave, left.region, x, t) for wave in found.left]
-    middles = [Piece("state", left.region, wave.behind) for wave in found.left]
+    units, middles = _side(found.left, left.region, x, t)
     contact = _contact(left, right, found, x, t, bench)
-    units.append(Unit(contact, [Piece("vacuum")] * (len(contact) - 1), _contrast(left, right, found)))
-    after = [Piece("state", right.region, wave.behind) for wave in found.right]
-    units += [_unit(wave, right.region, x, t) for wave in reversed(found.right)]
-    middles += reversed(after)
+    units.append(Unit(contact, [Piece("vacuum")] * (len(contact) - 1), _contrast(left, right, found, bench)))
+    after, between = _side(found.right, right.region, x, t)
+    units += reversed(after)
+    middles += reversed(between)
     # an expansion to nothing has no second edge: its fan reaches to the surface itself
     for k, unit in enumerate(units):
         if unit.inside and unit.inside[0].kind == "fan" and unit.inside[0].wave.behind.rho == 0.0:
@@ -132,6 +132,29 @@ def _units(left: Piece, right: Piece, found: exact.Solution, x, t, bench: Bench)
             unit.fronts = unit.fronts[:1] if side < 0 else unit.fronts[1:]
             middles[k if side < 0 else k - 1] = unit.inside.pop()
     return units, middles
+
+
+def _side(waves: list[Wave], region: int, x: float, t: float) -> tuple[list[Unit], list[Piece]]:
+    """(what leaves on one side, the pieces behind each), outermost first; waves that run at one speed are one unit."""
+    units: list[Unit] = []
+    middles: list[Piece] = []
+    for wave in waves:
+        unit = _unit(wave, region, x, t)
+        if wave.attached and units:
+            units[-1] = _joined(units[-1], unit, wave)
+            middles.pop()
+        else:
+            units.append(unit)
+        middles.append(Piece("state", region, wave.behind))
+    return units, middles
+
+
+def _joined(outer: Unit, inner: Unit, wave: Wave) -> Unit:
+    """A unit and the wave that runs directly behind it: where both have an edge, a fan leaves its own to the jump."""
+    way = -wave.direction
+    first, last = outer.fronts[::way], inner.fronts[::way]
+    fronts = [*first, *last[1:]] if wave.kind == "fan" else [*first[:-1], *last]
+    return Unit(fronts[::way], [*outer.inside, *inner.inside], max(outer.strength, inner.strength))
 
 
 def _unit(wave: Wave, region: int, x: float, t: float) -> Unit:
@@ -144,17 +167,24 @@ def _unit(wave: Wave, region: int, x: float, t: float) -> Unit:
 
 def _names(wave: Wave) -> tuple[str, str]:
     if wave.kind == "fan":
-        word = "elastic fan" if wave.elastic else "fan"
+        word = "elastic fan" if wave.elastic else "compaction fan" if wave.behind.sigma > wave.ahead.sigma else "fan"
         return f"{word} head", f"{word} tail"
     kind = "shock" if wave.behind.sigma > wave.ahead.sigma else "expansion"
     return (f"elastic {kind}" if wave.elastic else kind,) * 2
 
 
-def _contrast(left: Piece, right: Piece, found: exact.Solution) -> float:
-    """Difference of density across the contact, over the larger."""
+def _contrast(left: Piece, right: Piece, found: exact.Solution, bench: Bench) -> float:
+    """Difference of density across the contact, over the larger; in pores also that of compaction, or of energy over c^2.
+
+    The pressure of pores that close need not depend on the energy: then the density does not tell one side of a contact from the other.
+    """
     a = found.left[-1].behind if found.left else left.edge(1)
     b = found.right[-1].behind if found.right else right.edge(-1)
-    return abs(a.rho - b.rho) / max(a.rho, b.rho, 1e-300)
+    contrast = abs(a.rho - b.rho) / max(a.rho, b.rho, 1e-300)
+    if left.kind != "state" or left.region != right.region or not has_memory(bench.of(left).par):
+        return contrast
+    square = wave_speed_squared(a.rho, a.e, elastic(bench.of(left), a))
+    return max(contrast, abs(a.compaction - b.compaction), abs(a.e - b.e) / max(square, 1e-300))
 
 
 def _without_noise(units: list[Unit], middles: list[Piece]) -> tuple[list[Unit], list[Piece]]:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from hugoniot.laws.eos.contract import flagged
 from hugoniot.laws.riemann.branch import elastic, wave_speed_squared
 from hugoniot.laws.riemann.medium import Frozen, mixed_phases
 from hugoniot.problem.model import Problem
@@ -18,8 +19,8 @@ from hugoniot.state import State
 
 SLICES = 8            # of a zone, for the mass of a region whose density varies
 SAMPLES = 1000        # of the gauges over a run, where no interval is given
-GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress")
-ZONE_FIELDS = ("density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress", "sound_speed")
+GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress", "compaction")
+ZONE_FIELDS = ("density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress", "sound_speed", "compaction")
 
 
 class Reading(NothingToAdd):
@@ -34,6 +35,7 @@ class Reading(NothingToAdd):
         self.problem = problem
         left, right, self.region_of = setup.zone_faces(problem)
         self.initial_nodes = left, right
+        self.remembers = any(flagged(problem.materials[region.material].eos, "remembers") for region in problem.regions)
         self._masses: dict[int, tuple[np.ndarray, np.ndarray]] = {}
         ends = zip(left, right, self.region_of.tolist())
         self.fractions = tuple(np.array(row) for row in zip(*((self._share(k, a), self._share(k, b)) for a, b, k in ends)))
@@ -92,7 +94,8 @@ class Reading(NothingToAdd):
             if k not in columns:
                 columns[k] = self.column(k)
             x, point, matter, burned = self._point(k, columns[k], fraction)
-            found = [x, point.u, point.rho, point.e, point.pressure, point.s, _hoop(point, matter), self._stress(k, fraction, point)]
+            found = [x, point.u, point.rho, point.e, point.pressure, point.s, _hoop(point, matter), self._stress(k, fraction, point),
+                     point.compaction]
             row.append([*found, *_phases(point, matter, burned)] if self.burning else found)
         self._times.append(self.time)
         self._rows.append(row)
@@ -114,7 +117,7 @@ class Reading(NothingToAdd):
         first = len(GAUGE_FIELDS)
         block = np.array(self._rows, dtype=float).reshape(len(times), len(self.gauges), first + 5 * self.burning)
         self._times, self._rows = [], []
-        found = {name: block[:, :, i] for i, name in enumerate(GAUGE_FIELDS)}
+        found = {name: block[:, :, i] for i, name in enumerate(GAUGE_FIELDS) if name != "compaction" or self.remembers}
         if self.burning:
             phases = np.repeat(block[:, :, None, first:], 2, axis=2)
             found |= {"burn_fraction": block[:, :, first], "share": np.zeros(block.shape[:2]), "phases": phases}
@@ -125,7 +128,7 @@ class Reading(NothingToAdd):
         """The zones of the problem now: each follows its material; its fields are those at the middle of its mass."""
         low, high = self.fractions
         count = len(self.region_of)
-        rows = np.zeros((count, 8))
+        rows = np.zeros((count, len(ZONE_FIELDS) + 1))
         faces, speeds = np.zeros((2, count)), np.zeros((2, count))
         masses, middle = np.zeros(count), np.zeros(count)
         for k in range(len(self.problem.regions)):
@@ -138,11 +141,11 @@ class Reading(NothingToAdd):
                 middle[z], point, matter, burned = self._point(k, column, 0.5 * (low[z] + high[z]))
                 square = wave_speed_squared(point.rho, point.e, elastic(matter, point)) if self._answers(k, point) else 0.0
                 rows[z] = (point.rho, point.e, point.pressure, point.s, _hoop(point, matter), point.sigma,
-                           math.sqrt(max(square, 0.0)), burned)
-        zones = {name: rows[:, i].copy() for i, name in enumerate(ZONE_FIELDS)}
+                           math.sqrt(max(square, 0.0)), point.compaction, burned)
+        zones = {name: rows[:, i].copy() for i, name in enumerate(ZONE_FIELDS) if name != "compaction" or self.remembers}
         zones |= {"plastic_work": np.zeros(count), "viscous_work": np.zeros(count), "mass": masses}
         if self.burning:
-            zones["burn_fraction"] = rows[:, 7].copy()
+            zones["burn_fraction"] = rows[:, -1].copy()
         return FrontState(self.time, self.cycle, zones, faces[0], faces[1], speeds[0], speeds[1], middle)
 
     def phases(self) -> np.ndarray | None:

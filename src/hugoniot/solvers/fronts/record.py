@@ -29,7 +29,7 @@ class Lives:
         for key, k in here.items():
             if key not in self.born:
                 left, right = pieces[k].edge(1), pieces[k + 1].edge(-1)
-                self.born[key] = fronts[k], [*left, *right]
+                self.born[key] = fronts[k], [*left[:5], *right[:5]]      # of `COLUMNS`
                 for piece, state in ((pieces[k], left), (pieces[k + 1], right)):
                     if piece.region >= 0 and state.sigma < 0.0:
                         self.tensions[piece.region] = max(self.tensions.get(piece.region, 0.0), -state.sigma)

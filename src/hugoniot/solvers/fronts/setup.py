@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from hugoniot.errors import HugoniotError, OutOfRange, UnphysicalState
-from hugoniot.laws.eos.contract import pressure
+from hugoniot.laws.eos.contract import compacted, pressure
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.materials import burning
@@ -104,7 +104,7 @@ def first_pieces(problem: Problem) -> tuple[list[Piece], list[float]]:
         u = region.velocity[0] if isinstance(region.velocity, tuple) else region.velocity
         p = region.pressure if region.pressure is not None else pressure(rho, e, eos)
         places.append(region.start)
-        pieces.append(Piece("state", k, State(float(rho), float(u), float(e), float(p))))
+        pieces.append(Piece("state", k, State(float(rho), float(u), float(e), float(p), 0.0, float(compacted(0.0, rho, e, p, eos)))))
     places.append(problem.regions[-1].end)
     pieces.append(Piece(_OUTSIDE[problem.right.kind]))
     for piece, inner, side in ((pieces[0], pieces[1], -1), (pieces[-1], pieces[-2], 1)):

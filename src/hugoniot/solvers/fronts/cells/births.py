@@ -12,7 +12,7 @@ import numpy as np
 
 from hugoniot.laws.burn.contract import Reactive
 from hugoniot.laws.eos.contract import density_limits
-from hugoniot.laws.riemann.branch import Branch, wave_speed_squared
+from hugoniot.laws.riemann.branch import Branch, has_memory, wave_speed_squared
 from hugoniot.laws.riemann.medium import Frozen, mixture_limit
 from hugoniot.laws.riemann.wave import Side, jumps
 from hugoniot.solvers.fronts import line
@@ -103,13 +103,13 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
                 pair = fronts.index(kept[k - 1][0]), fronts.index(front)
                 strains += [strains_of([left, *pieces, right], fronts, pair, bench)] * count if bench.cylinder else [
                     (stretch, 0.0) for stretch in 0.5 * (ends[:-1, BORN_RIGHT] + ends[1:, BORN_LEFT])]
-            else:
-                strains += [(0.0, 0.0)] * count
+            else:       # in pores the compaction, which waves carry from there on
+                strains += [(0.0, between[k - 1].state.compaction)] * count
             made[-1].least = count
             made[-1].fan = between[k - 1] if lasts else None
         marks.append(True)
         values.append(state)
-        sides = (tuple([left, *pieces][fronts.index(front)].edge(1)), tuple([*pieces, right][fronts.index(front)].edge(-1)))
+        sides = (tuple([left, *pieces][fronts.index(front)].edge(1))[:5], tuple([*pieces, right][fronts.index(front)].edge(-1))[:5])
         made.append(Front(front.kind, front.speed, front.direction, front.strength, 1, time, x, sides))
     mesh.fronts[position:position + 1] = made
     mesh.x = np.concatenate([mesh.x[:face], np.full(len(marks), x), mesh.x[face + 1:]])
@@ -230,7 +230,8 @@ def _inside(piece: Piece, before, after, lasts: bool, bench: Bench):
     states = [line.fan_state(piece, xi) if piece.kind == "fan" else piece.state for xi in speeds]
     given = (before if left.direction else after)[1][5:]
     matter = bench.of(piece)
-    scalars = [[given[0], *(stretch_of(s, matter),) * 2] if matter.yield_stress else given for s in states]
+    scalars = [[given[0], *(stretch_of(s, matter),) * 2] if matter.yield_stress else
+               [*given[:2], s.compaction] if len(given) and has_memory(matter.par) else given for s in states]
     return [False] * (count - 1), [[xi, s.rho, s.u, s.e, s.sigma, *more] for xi, s, more in zip(speeds, states, scalars)], count
 
 
@@ -249,6 +250,8 @@ def _with_scalars(mesh: Mesh, whole: list[Piece], fronts, given, bench: Bench):
             scalars = [par.burned, par.volume, par.energy]
             if "shock" in front.kind:
                 scalars[1:] = _new_reference(par, state, front)
+        elif front.direction and has_memory(bench.of(piece).par):
+            scalars[2] = whole[k + (front.direction < 0)].edge(front.direction).compaction      # behind the front
         elif front.direction and piece.matter is not None:
             scalars[0] = piece.matter.hoop
         for j, beside in enumerate(whole[k:k + 2]):

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from hugoniot.errors import NoSolution, OutOfRange
-from hugoniot.solvers.fronts.cells import tables
+from hugoniot.solvers.fronts.cells import pores, tables
 from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
 from hugoniot.solvers.fronts.cells.flow import Flow
@@ -101,7 +101,7 @@ class Changes:
             return []
         k, old = _order(mesh, face), solid[0]
         mesh.fronts[k] = dataclasses.replace(old, least=1, since=time, start=float(mesh.x[face]),
-                                             sides=(tuple(left.edge(1)), tuple(right.edge(-1))))
+                                             sides=(tuple(left.edge(1))[:5], tuple(right.edge(-1))[:5]))
         if len(edges) != 1 or old.direction or crowded:
             return []
         passes = transmit if old.kind != "end" else reflect
@@ -143,16 +143,18 @@ class Changes:
     def follow_weak_starts(self, mesh: Mesh) -> None:
         """Where no wave of the start is as strong as the weakest to be followed, a tenth of the strongest takes its place.
 
-        Elastic waves have their own measure. What is weaker by more than a factor of ten counts as rest, and at the ends of a profile small
-        waves are those of its interpolation.
+        Elastic waves have their own measure; waves that close pores are measured by the stiffness of the material, as others are. What is
+        weaker by more than a factor of ten counts as rest, and at the ends of a profile small waves are those of its interpolation.
         """
         if any(region.profile is not None for region in self.flow.problem.regions):
             return
         bench, strongest = self.flow.bench, 0.0
         for face in mesh.faces().tolist():
             if not self._beside_explosive(mesh, face):
-                found = solve(*self._sides(mesh, face, 0.0), bench, False)
-                strongest = max([strongest, *(wave.strength for wave in (*found.left, *found.right) if not wave.elastic)])
+                left, right = self._sides(mesh, face, 0.0)
+                found = solve(left, right, bench, False)
+                waves = [(wave, piece) for piece, some in ((left, found.left), (right, found.right)) for wave in some if not wave.elastic]
+                strongest = max([strongest, *(pores.strength(wave, bench.of(piece)) for wave, piece in waves)])
         if 0.1 * bench.weakest < strongest < bench.weakest:
             bench.weakest = self.flow.rules.numbers[tables.WEAKEST] = 0.1 * strongest
 
@@ -207,7 +209,10 @@ class Changes:
 def met(mesh: Mesh, length: float) -> list[tuple[int, int]]:
     """Runs of fronts (first face, last face) that have met."""
     first, counts = mesh.intervals()
-    closed = [f for f, n in zip(first.tolist(), counts.tolist()) if n == 1 and mesh.x[f + 1] - mesh.x[f] <= tables.TOUCHING * length]
+    speeds = [front.speed for front in mesh.fronts]
+    opens = [mesh.region[f] == EMPTY and a < b for f, a, b in zip(first.tolist(), speeds, speeds[1:])]      # a gap has no width at first
+    closed = [f for f, n, new in zip(first.tolist(), counts.tolist(), opens)
+              if n == 1 and not new and mesh.x[f + 1] - mesh.x[f] <= tables.TOUCHING * length]
     runs: list[list[int]] = []
     for f in closed:
         if runs and runs[-1][1] == f:

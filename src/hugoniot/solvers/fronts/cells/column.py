@@ -5,6 +5,7 @@ import numpy as np
 from hugoniot.laws.riemann.branch import Branch, Matter, State, stress
 from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Mesh, mean_area
+from hugoniot.solvers.fronts.cells.pores import state_of
 from hugoniot.solvers.fronts.cells.solids import with_deviator
 from hugoniot.solvers.fronts.cells.tables import HIGH, LAM, LOW, MEAN, STATE, P
 
@@ -55,8 +56,13 @@ class CellColumn:
         for values in (low + s * (high - low + bend * (1.0 - s)), mean):
             rho, u, e, *mixed = values.tolist()
             matter = flow.matter(region, *mixed)
-            p = float(stress(rho, e, Branch(matter.par))) if rho > 0.0 else np.nan
+            porous = flow.porous[region % len(flow.porous)]
+            p = np.nan
+            if rho > 0.0:
+                p = state_of(rho, u, e, mixed, matter).sigma if porous else float(stress(rho, e, Branch(matter.par)))
             if np.isfinite(p):
                 break
         burned = float(flow.programmed[region]) if not flow.burns_by_rate[region] else min(max(values[LAM], 0.0), 1.0)
+        if porous:
+            return x, state_of(rho, u, e, mixed, matter), matter, burned
         return x, with_deviator(rho, u, e, mixed[1], matter, p), matter, burned

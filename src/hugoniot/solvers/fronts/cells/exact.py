@@ -9,6 +9,7 @@ import math
 import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS, GUARD
+from hugoniot.solvers.fronts.cells.pores import is_porous
 from hugoniot.solvers.fronts.cells.solids import is_solid
 from hugoniot.solvers.fronts.cells.tables import (
     BORN_HOOP,
@@ -94,7 +95,8 @@ def shock(rules, work, fronts, k, d, p, region):
     way = -1.0 if front[KIND] == ELASTIC_EXPANSION else 1.0
     if p > s[3] and s[LIMIT_FLUX] > 0.0 and not elastic:
         rho, u, e, passing = s[LIMIT_RHO], s[11] + d * s[LIMIT_RISE], s[LIMIT_E], s[LIMIT_P]
-        speed, strength = u + d * s[FLUX] / rho, (p - passing) / max(abs(p), abs(s[3]), s[1] * s[4])
+        soft = s[FLUX] ** 2 / rho if is_porous(rules, region) else s[1] * s[4]
+        speed, strength = u + d * s[FLUX] / rho, (p - passing) / max(abs(p), abs(s[3]), soft)
         room = fronts[k + 1, FACE] - front[FACE] if d > 0.0 else front[FACE] - fronts[k - 1, FACE]
         split = room >= ROOM and (passing - s[3]) / (s[1] * s[4]) > DIVIDES * rules.numbers[ELASTIC]
         work.flags[1, k] = 1.0 if split else 0.0
@@ -105,7 +107,8 @@ def shock(rules, work, fronts, k, d, p, region):
         speed, strength = s[11] + d * s[FLUX] / s[1], (s[3] - p) / (s[1] * s[4])
         rho, u, e, passing = s[1], s[11], s[2], s[3]
     elif p > s[3] and way > 0.0:
-        speed, strength = s[11] + d * s[FLUX] / s[1], (p - s[3]) / max(abs(p), abs(s[3]), s[1] * s[4])
+        soft = s[FLUX] ** 2 / s[1] if is_porous(rules, region) else s[1] * s[4]
+        speed, strength = s[11] + d * s[FLUX] / s[1], (p - s[3]) / max(abs(p), abs(s[3]), soft)
         rho, u, e, passing = s[1], s[11], s[2], s[3]
     else:       # it has become a release: the face goes on with the sound behind it, and is released
         rho, u, e, passing = s[RHO_B], s[11] + d * s[RISE], s[E_B], p
@@ -124,6 +127,11 @@ def shock(rules, work, fronts, k, d, p, region):
             w[behind + 2, f] = s[7]
         if caught:
             work.flags[1, k] = 1.0
+    elif elastic and is_porous(rules, region):       # a precursor closes no pores, unless the wave that does has caught up
+        if strength > 0.0 and s[LIMIT_FLUX] == 0.0 and s[ENERGY_B] > s[7] + SAME:
+            work.flags[1, k] = 1.0
+        else:
+            w[behind + 2, f] = s[7]
     front[STRENGTH] = strength
 
 

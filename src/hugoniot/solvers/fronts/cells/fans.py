@@ -12,7 +12,7 @@ import numba as nb
 import numpy as np
 
 from hugoniot.core.target import BY_ADDRESS
-from hugoniot.laws.riemann.branch import Branch, State
+from hugoniot.laws.riemann.branch import State, elastic
 from hugoniot.laws.riemann.curve import Wave
 from hugoniot.laws.riemann.fan import Fan
 from hugoniot.laws.riemann.medium import Frozen
@@ -87,6 +87,6 @@ def numbers_of(fan: Piece) -> list[float]:
 def fan_of(numbers, bench) -> Piece:
     """The fan of these numbers."""
     region, direction, head, tail, *rest, a, b = numbers
-    ahead, behind = State(*rest[:5]), State(*rest[5:])
-    path = Fan(ahead, Branch(bench.matters[int(region)].par, a, b))
+    ahead, behind = State(*rest[:len(rest) // 2]), State(*rest[len(rest) // 2:])
+    path = Fan(ahead, elastic(bench.matters[int(region)], ahead)._replace(a=a, b=b))
     return Piece("fan", int(region), ahead, Wave("fan", False, int(direction), ahead, behind, head, tail, path))

@@ -10,16 +10,16 @@ from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.burn.contract import BURN, Reactive
 from hugoniot.laws.eos.contract import EOS, density_limits, flagged
 from hugoniot.laws.mixture.contract import MIXTURE
-from hugoniot.laws.riemann.branch import Matter, State
+from hugoniot.laws.riemann.branch import Matter, State, has_memory
 from hugoniot.laws.riemann.curve import SPRAY
-from hugoniot.laws.riemann.medium import Frozen, Solid, mixture_limit
+from hugoniot.laws.riemann.medium import Frozen, Porous, Solid, mixture_limit
 from hugoniot.materials import burning
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.fronts import extremes, setup
 from hugoniot.solvers.fronts.cells import march, parabolas, solids, steepening, tables, tracked
 from hugoniot.solvers.fronts.cells.gas import averages
 from hugoniot.solvers.fronts.cells.mesh import Mesh
-from hugoniot.solvers.fronts.cells.passes import burn_pass, pace_pass, states_pass, wave_pass
+from hugoniot.solvers.fronts.cells.passes import burn_pass, crush_pass, pace_pass, states_pass, wave_pass
 from hugoniot.solvers.fronts.cells.spacing import Spacing, cells_of
 from hugoniot.solvers.fronts.cells.tables import MEAN, C, Grid, P, Rules
 from hugoniot.solvers.fronts.meeting import Bench
@@ -34,6 +34,8 @@ def law_of_region(material) -> Any:
     """What the cells ask: the equation of state, a solid's with its strength, or rate and mixture of a material that burns by a rate."""
     if material.burn is None or "programmed" in BURN.of(material.burn).flags:
         matter = setup.matter_of(material)
+        if has_memory(matter.par):
+            return float_parameters(Porous(matter.par))
         return float_parameters(Solid(*matter[:3]) if matter.yield_stress else material.eos)
     pair = burning.reactive(material)
     if hasattr(pair.mixture, "nascent_limit"):
@@ -52,7 +54,8 @@ class Flow:
         self.laws = [law_of_region(problem.materials[r.material]) for r in problem.regions]
         self.burns = any(isinstance(law, Reactive) for law in self.laws)
         self.solid = np.array([isinstance(law, Solid) for law in self.laws])
-        self.variables = 6 if self.burns or self.solid.any() else 3
+        self.porous = np.array([isinstance(law, Porous) for law in self.laws])
+        self.variables = 6 if self.burns or self.solid.any() or self.porous.any() else 3
         self.burns_by_rate = [isinstance(law, Reactive) for law in self.laws]
         burnt = [problem.materials[r.material].burn is not None for r in problem.regions]
         self.programmed = [one and not rate for one, rate in zip(burnt, self.burns_by_rate)]      # products of programmed fronts
@@ -65,20 +68,20 @@ class Flow:
     def _rules(self, options: dict, courant: float) -> Rules:
         problem, count = self.problem, len(self.laws)
         passes, words = np.zeros((2 * count, 4), dtype=np.int64), np.zeros(2 * count, dtype=np.int64)
-        limits, traits = np.zeros((2 * count, 3)), np.zeros((count, 5))
+        limits, traits = np.zeros((2 * count, 3)), np.zeros((count, 6))
         for k, law in enumerate(self.laws):
             burns = isinstance(law, Reactive)
-            passes[k] = (states_pass.address(law), wave_pass.address(law), *((burn_pass.address(law), pace_pass.address(law)) if burns else
-                                                                            (0, 0)))
+            last = (burn_pass.address(law), pace_pass.address(law)) if burns else (0, crush_pass.address(law) if self.porous[k] else 0)
+            passes[k] = (states_pass.address(law), wave_pass.address(law), *last)
             words[k] = self._numbers[k].ctypes.data
             if burns:
                 whole = min(mixture_limit(0.0, law.mixture), mixture_limit(1.0, law.mixture))
                 limits[k] = whole, density_limits(law.mixture.reactants)[1], density_limits(law.mixture.products)[1]
                 gas = flagged(law.mixture.products, "gas") and flagged(law.mixture.reactants, "gas")
             else:
-                eos = law.eos if isinstance(law, Solid) else law
+                eos = getattr(law, "eos", law)
                 limits[k], gas = density_limits(eos)[1], flagged(eos, "gas")
-            traits[k] = self.spacing.zones[k], min(self.bench.grips[k], 1e300), gas, *solids.traits(law)
+            traits[k] = self.spacing.zones[k], min(self.bench.grips[k], 1e300), gas, *solids.traits(law), self.porous[k]
         np.minimum(limits, 1e30, out=limits)
         ends, lists = np.zeros((2, 5)), []
         for row, end, kind in zip(ends, (problem.left, problem.right), self.outside):
@@ -89,9 +92,10 @@ class Flow:
         longest = max(len(times) for times, _ in lists)
         padded = [np.array([[*row, *[row[-1]] * (longest - len(row))] for row in rows], dtype=float) for rows in zip(*lists)]
         length = problem.regions[-1].end - problem.regions[0].start
+        elastic = self.bench.elastic if self.solid.any() or self.porous.any() else 0.0
         numbers = np.array([problem.dimension, courant, float(options["weakest"]), length, problem.stop_time, self.burns,
-                            self.bench.unburned, int(options["most_fronts"]), self.bench.elastic if self.solid.any() else 0.0,
-                            float(options["burn_step"])], dtype=float)
+                            self.bench.unburned, int(options["most_fronts"]), elastic,
+                            float(options["burn_step"]), traits[:, tables.KINKS].any()], dtype=float)
         return Rules(passes, words, limits, traits, ends, *padded, numbers)
 
     # -- arrays --------------------------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ $$\rho_t = -u\rho_x - \rho\left(u_x + \tfrac{d-1}{r}u\right), \quad u_t = -uu_x 
   e_t = -ue_x - \tfrac{p}{\rho}\left(u_x + \tfrac{d-1}{r}u\right), \quad \lambda_t = -u\lambda_x + \dot\lambda,$$
 
 and with their own face (velocity w): $q + \tfrac12\Delta t\,(q_t + w q_x)$. The two states at a face meet in an HLLC problem, read
-off at w. Where a mixture burns, and in solids, $p_x$ is the difference of the pressures (stresses) at both faces.
+off at w. Where a mixture burns, in solids and where slopes leap, $p_x$ is the difference of the pressures (stresses) at both faces.
 
 A solid has its stress for p, and its stretch z (laws.riemann.medium) obeys the equation of the density. A cell keeps the integral of
 z, whose flux is that of the mass times $z/\rho$; after the step what lies beyond the yield surface returns to it. In curved geometry
@@ -23,6 +23,7 @@ import numba as nb
 from hugoniot.core.pass_lists import call_pass
 from hugoniot.core.rows import row_at
 from hugoniot.core.target import BY_ADDRESS, GUARD
+from hugoniot.solvers.fronts.cells.pores import is_porous
 from hugoniot.solvers.fronts.cells.solids import hoop_excess, is_solid, settle, yielded
 from hugoniot.solvers.fronts.cells.spacing import path_mean
 from hugoniot.solvers.fronts.cells.tables import (
@@ -41,6 +42,8 @@ from hugoniot.solvers.fronts.cells.tables import (
     HOOP,
     INTO_LEFT,
     INTO_RIGHT,
+    KINKED,
+    KINKS,
     LAM,
     LEFT,
     LOW,
@@ -95,6 +98,21 @@ def evaluate(grid, rules, work, n, block):
         a = b
 
 
+@nb.njit(**BY_ADDRESS)
+def close_pores(grid, rules, work, n):
+    """The compaction of cells that keep their pores crushed, after the states that they are in."""
+    w, a = work.w, 0
+    while a < n:
+        region, b = grid.region[a], a + 1
+        while b < n and grid.region[b] == region and w[FULL, b] == w[FULL, a]:
+            b += 1
+        if w[FULL, a] > 0.0 and is_porous(rules, region):
+            ask(rules, work, 3, region, (MEAN, MEAN + E, MEAN + P, MEAN + HOOP), a, b - a, 0.0)
+            for i in range(a, b):
+                grid.q[i, HOOP] = grid.q[i, 0] * w[MEAN + HOOP, i]
+        a = b
+
+
 @nb.njit(**GUARD)
 def averages(grid, rules, work, n, d):
     """States of the cells; those of a gap, and of cells about to be born, are zero."""
@@ -114,6 +132,7 @@ def averages(grid, rules, work, n, d):
                 w[MEAN + VOLUME, i], w[MEAN + HOOP, i] = yielded(rules, grid.region[i], grid.q[i, VOLUME] / volume, w[MEAN + HOOP, i])
             w[MEAN + E, i] -= 0.5 * w[MEAN + U, i] ** 2
     evaluate(grid, rules, work, n, MEAN)
+    close_pores(grid, rules, work, n)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -147,7 +166,7 @@ def predict(grid, rules, work, n, d, dt, burns):
         for i in range(n):
             w[BURNED, i] = w[MEAN + LAM, i]
         each_burning(grid, rules, work, n, 2, (MEAN + LAM, MEAN, MEAN + E, MEAN + LAM, MEAN + LAM + 1, MEAN + LAM + 2, BURNED), half)
-    if burns or rules.numbers[ELASTIC] > 0.0:
+    if burns or rules.numbers[ELASTIC] > 0.0 or rules.numbers[KINKED] > 0.0:
         evaluate(grid, rules, work, n, LOW)
         evaluate(grid, rules, work, n, HIGH)
     for i in range(n):
@@ -160,7 +179,7 @@ def predict(grid, rules, work, n, d, dt, burns):
         spread = (w[HIGH + U, i] - w[LOW + U, i]) / h + (d - 1) * round_
         pull = (d - 1) * hoop_excess(rules, grid.region[i], w[MEAN + VOLUME, i], w[MEAN + HOOP, i]) / (rho * r) if solid and d > 1 else 0.0
         p_x = (w[MEAN + P_RHO, i] * (w[HIGH, i] - w[LOW, i]) + w[MEAN + P_E, i] * (w[HIGH + E, i] - w[LOW + E, i])) / h
-        if solid or (burns and full and rules.passes[grid.region[i], 2] != 0):
+        if solid or (full and rules.traits[grid.region[i], KINKS] > 0.0) or (burns and full and rules.passes[grid.region[i], 2] != 0):
             by_faces = (w[HIGH + P, i] - w[LOW + P, i]) / h
             p_x = by_faces if abs(by_faces) < 1e300 else p_x
         for v in range(STATE):
@@ -200,36 +219,6 @@ def predict(grid, rules, work, n, d, dt, burns):
 
 
 @nb.njit(**BY_ADDRESS)
-def hllc(grid, rules, work, n):
-    """The HLLC state at inner faces, which move at the speeds of the table."""
-    w = work.w
-    for f in range(1, n):
-        i = f - 1
-        rl, ul, el, pl, cl = w[RIGHT, i], w[RIGHT + U, i], w[RIGHT + E, i], w[RIGHT + P, i], w[RIGHT + C, i]
-        rr, ur, er, pr, cr = w[LEFT, f], w[LEFT + U, f], w[LEFT + E, f], w[LEFT + P, f], w[LEFT + C, f]
-        at = w[SPEED, f]
-        low, high = min(ul - cl, ur - cr), max(ul + cl, ur + cr)
-        ml, mr = rl * (low - ul), rr * (high - ur)           # mass fluxes into the waves, negative and positive
-        gap = mr - ml
-        star, p = 0.5 * (ul + ur), 0.5 * (pl + pr)
-        if gap > 0.0:
-            star = (pl - pr + mr * ur - ml * ul) / gap
-            p = 0.5 * (pl + ml * (star - ul) + pr + mr * (star - ur))
-        left = at <= star
-        rho, u, e, p0, m, edge = (rl, ul, el, pl, ml, low) if left else (rr, ur, er, pr, mr, high)
-        whole = e + 0.5 * u * u
-        if (at <= low if left else at >= high) or m == 0.0:
-            w[F_RHO, f], w[F_U, f], w[F_E, f], w[F_P, f] = rho, u, whole, p0
-        else:
-            w[F_RHO, f], w[F_U, f], w[F_E, f], w[F_P, f] = m / (edge - star), star, whole + (p * star - p0 * u) / m, p
-        for k in range(3):
-            value = w[RIGHT + LAM + k, i] if left else w[LEFT + LAM + k, f]
-            w[INTO_LEFT + k, f] = w[INTO_RIGHT + k, f] = value
-        if is_solid(rules, grid.region[i]) and grid.region[i] == grid.region[f]:
-            w[INTO_LEFT + 1, f] = w[INTO_RIGHT + 1, f] = w[RIGHT + VOLUME, i] / rl if left else w[LEFT + VOLUME, f] / rr
-
-
-@nb.njit(**BY_ADDRESS)
 def move(grid, rules, work, n, d, dt, burns):
     """Move the faces, let the fluxes pass, burn; no cell is newborn any more."""
     w, variables = work.w, grid.q.shape[1]
@@ -239,8 +228,8 @@ def move(grid, rules, work, n, d, dt, burns):
         each_burning(grid, rules, work, n, 2, (FROM, MIDDLE, MIDDLE + E, MIDDLE + LAM, MIDDLE + LAM + 1, MIDDLE + LAM + 2, BURNED), dt)
         for i in range(n):
             w[PACE, i] = grid.q[i, 0]
-    for i in range(n):       # a cell that is being born has the stretch and hoop strain of the exact solution
-        if is_solid(rules, grid.region[i]) and not math.isnan(grid.push[i]):
+    for i in range(n):       # a cell that is being born has the stretch and hoop strain, or the compaction, of the exact solution
+        if (is_solid(rules, grid.region[i]) or is_porous(rules, grid.region[i])) and not math.isnan(grid.push[i]):
             w[FROM, i], w[BURNED, i] = grid.q[i, VOLUME], grid.q[i, HOOP]
     before = 0.0
     for f in range(n + 1):
@@ -281,4 +270,6 @@ def move(grid, rules, work, n, d, dt, burns):
             grid.q[i, 3] = min(max(lam, 0.0), grid.q[i, 0])
         if is_solid(rules, grid.region[i]):
             settle(grid, rules, w, i, d, dt)
+        elif is_porous(rules, grid.region[i]) and not math.isnan(grid.push[i]):
+            grid.q[i, HOOP] = grid.q[i, 0] * w[BURNED, i]
         grid.push[i] = math.nan

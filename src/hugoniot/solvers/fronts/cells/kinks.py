@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from hugoniot.errors import NoSolution, OutOfRange
-from hugoniot.laws.riemann.branch import Branch, wave_speed_squared
+from hugoniot.laws.riemann.branch import elastic, wave_speed_squared
 from hugoniot.solvers.fronts import line
 from hugoniot.solvers.fronts.cells.births import COARSE, part
 from hugoniot.solvers.fronts.cells.mesh import Front, Mesh
@@ -77,5 +77,5 @@ def _between(left: Piece, right: Piece, side: int, bench: Bench) -> Piece | None
 def _kink(edge: Front, d: int, where: Piece, time: float, bench: Bench) -> line.Front:
     """The edge of a fan runs with the sound."""
     state = where.state
-    c = math.sqrt(max(wave_speed_squared(state.rho, state.e, Branch(bench.of(where).par)), 0.0))
+    c = math.sqrt(max(wave_speed_squared(state.rho, state.e, elastic(bench.of(where), state)), 0.0))
     return line.Front(edge.kind, 0.0, time, state.u + d * c, d, edge.strength)

@@ -18,7 +18,8 @@ import numba as nb
 from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.fronts.cells.exact import at_fronts
 from hugoniot.solvers.fronts.cells.fans import forget, let_go
-from hugoniot.solvers.fronts.cells.gas import averages, evaluate, hllc, move, predict, unsound
+from hugoniot.solvers.fronts.cells.gas import averages, evaluate, move, predict, unsound
+from hugoniot.solvers.fronts.cells.hllc import hllc
 from hugoniot.solvers.fronts.cells.pace import face_speeds, known_speeds, meeting_time, step_length
 from hugoniot.solvers.fronts.cells.parabolas import reconstruct
 from hugoniot.solvers.fronts.cells.refining import paces, watch
@@ -148,7 +149,8 @@ def calls_for_change(grid, rules, work, fronts, count):
     for k in range(count - 1):
         a, b = int(fronts[k, FACE]), int(fronts[k + 1, FACE])
         start, end, cells = grid.x[a], grid.x[b], b - a
-        if cells == 1 and end - start <= TOUCHING * rules.numbers[LENGTH]:
+        closed = cells == 1 and end - start <= TOUCHING * rules.numbers[LENGTH]
+        if closed and (grid.region[a] >= 0 or fronts[k, SPEED_OF] >= fronts[k + 1, SPEED_OF]):      # a gap that opens has no width at first
             return True
         if grid.region[a] < 0:
             continue

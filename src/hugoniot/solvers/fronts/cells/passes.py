@@ -4,17 +4,19 @@
     wave_pass     the waves of one side, from a state to a pressure (laws.riemann.wave, solid)
     burn_pass     burn fractions after a time at given states
     pace_pass     rates of burning, which the step has to follow
+    crush_pass    compaction of pores after states have been met
 """
 
 from typing import Any, NamedTuple
 
 from hugoniot.core.binder import bind, bind_choice
-from hugoniot.core.ops import fmax
+from hugoniot.core.ops import fmax, fmin
 from hugoniot.core.passes import bind_flag, law_of, zone_pass
 from hugoniot.laws.burn.contract import Reactive, advance, rate
+from hugoniot.laws.eos.contract import compacted
 from hugoniot.laws.mixture.contract import MIXTURE
-from hugoniot.laws.riemann import medium, solid, wave
-from hugoniot.laws.riemann.medium import OnBranch, Solid, answer, mixed_phases
+from hugoniot.laws.riemann import medium, porous, solid, wave
+from hugoniot.laws.riemann.medium import OnBranch, Porous, Solid, answer, mixed_phases
 from hugoniot.laws.riemann.solid import waves
 from hugoniot.laws.riemann.wave import Side
 from hugoniot.zones.burn import NEARLY, STEP_SHARE, burn_temperature
@@ -93,8 +95,16 @@ def pace_pass(count, z, dt, numbers, law):
             z.p[j] = rate(fmax(lam, STEP_SHARE), z.rho[j], mixed.pressure, burn_temperature(lam, mixed, par.mixture, par.rate), par.rate)
 
 
+@zone_pass("rho e p compaction", exact=True)
+def crush_pass(count, z, dt, numbers, law):
+    par = law_of(law, numbers)
+    for j in range(count):
+        z.compaction[j] = compacted(fmin(fmax(z.compaction[j], 0.0), 1.0), z.rho[j], z.e[j], z.p[j], par.eos)
+
+
 def _by_kind(plain, **special):
-    found = {Reactive: special.get("burning"), Solid: special.get("solid"), OnBranch: special.get("branch")}
+    found = {Reactive: special.get("burning"), Solid: special.get("solid"), OnBranch: special.get("branch"),
+             Porous: special.get("porous")}
     return lambda *classes: found.get(classes[-1]) or plain
 
 
@@ -102,12 +112,12 @@ def _bind() -> None:
     bind_burning()
     search = dict(fastmath=False, error_model="numpy", no_cfunc_wrapper=True)
     bind_choice(medium.answer, _by_kind(medium.plain_answer, burning=medium.reactive_answer, solid=medium.solid_answer,
-                                        branch=medium.branch_answer))
+                                        branch=medium.branch_answer, porous=medium.porous_answer))
     bind_choice(wave.jumps, _by_kind(wave.plain_jump, burning=wave.reactive_jump))
-    bind_choice(solid.waves, _by_kind(solid.plain_waves, solid=solid.solid_waves))
+    bind_choice(solid.waves, _by_kind(solid.plain_waves, solid=solid.solid_waves, porous=porous.porous_waves))
     bind_flag(wave.isolates, MIXTURE, "follows_isentrope")
     for function in (medium.mixed_phases, medium.mixed_answer, wave.drop, wave.both_drop, wave.isolated_jump, wave.step, wave.release,
-                     wave.compression, wave.reach, medium.strength_left, medium.deviator, *solid.KERNELS):
+                     wave.compression, wave.reach, medium.strength_left, medium.deviator, *solid.KERNELS, *porous.KERNELS):
         bind(function, **search)
 
 

@@ -16,6 +16,7 @@ import numba as nb
 from hugoniot.core.target import BY_ADDRESS
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.medium import Solid, deviator, strength_left
+from hugoniot.solvers.fronts.cells import pores
 from hugoniot.solvers.fronts.cells.spacing import path_mean
 from hugoniot.solvers.fronts.cells.tables import (
     BURNED,
@@ -91,8 +92,9 @@ def traits(law) -> tuple[float, float]:
 
 
 def elastic_share(matters: list[Matter]) -> float:
-    """Strength of a wave of the size of the elastic range: elastic waves are measured by it. 1 without solids."""
-    return min((m.yield_stress / m.shear_modulus for m in matters if m.yield_stress), default=1.0)
+    """Strength of a wave of the size of the elastic range: elastic waves are measured by it. 1 without such material."""
+    return min((m.yield_stress / m.shear_modulus if m.yield_stress else pores.elastic_range(m.par) for m in matters
+                if m.yield_stress or pores.elastic_range(m.par) > 0.0), default=1.0)
 
 
 def stretch_of(state: State, matter: Matter) -> float:

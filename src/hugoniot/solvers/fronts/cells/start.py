@@ -3,9 +3,10 @@
 import numpy as np
 
 from hugoniot.laws.burn.contract import BURN
-from hugoniot.laws.riemann.branch import Branch, State, stress, wave_speed_squared
+from hugoniot.laws.riemann.branch import Branch, State, elastic, has_memory, stress, wave_speed_squared
 from hugoniot.problem.model import Boundary, Problem
 from hugoniot.solvers.fronts import setup
+from hugoniot.solvers.fronts.cells import pores
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
 from hugoniot.solvers.fronts.cells.solids import with_deviator
 from hugoniot.solvers.fronts.cells.spacing import Spacing, cells_of, count, place
@@ -66,7 +67,9 @@ def _fill(mesh: Mesh, cells, region, material) -> None:
         (rho, e), u = setup.start_states(region, material, x), setup.start_velocities(region, x)
         mass = weight * h * x ** (mesh.d - 1) * rho
         mesh.q[cells, :3] += np.column_stack([mass, mass * u, mass * (e + 0.5 * u * u)])
-        if mesh.q.shape[1] > 3:       # nothing has burned; reactants are on the isentrope they rest on; solids have no deviator
+        if mesh.q.shape[1] > 3 and has_memory(material.eos):
+            mesh.q[cells, 5] += mass * [pores.start(material.eos, *one) for one in zip(rho, e)]
+        elif mesh.q.shape[1] > 3:       # nothing has burned; reactants are on the isentrope they rest on; solids have no deviator
             mesh.q[cells, 4:6] += np.column_stack([mass / rho, mass * e if material.burn is not None else 0.0 * mass])
 
 
@@ -112,6 +115,8 @@ def pieces_at(flow, mesh: Mesh, face: int, averages: bool = False) -> tuple[Piec
 
 def _piece(flow, w, block: int, cell: int, region: int) -> Piece:
     """The state at a face of a cell, or its average where that is not sound."""
+    if flow.porous[region % len(flow.porous)]:
+        return _porous_piece(flow, w, block, cell, region)
     for rows in (block, MEAN):
         rho, u, e, *mixed = w[rows:rows + LAM + 3, cell].tolist()
         matter = flow.matter(region, *mixed)
@@ -119,3 +124,15 @@ def _piece(flow, w, block: int, cell: int, region: int) -> Piece:
         if rho > 0.0 and wave_speed_squared(rho, e, branch) > -COLD * u * u:
             break
     return Piece("state", region, with_deviator(rho, u, e, mixed[1], matter, float(stress(rho, e, branch))), matter=matter)
+
+
+def _porous_piece(flow, w, block: int, cell: int, region: int) -> Piece:
+    """The same of material whose pores stay crushed."""
+    found = []
+    for rows in (block, MEAN):
+        rho, u, e, *scalars = w[rows:rows + LAM + 3, cell].tolist()
+        matter = flow.matter(region, *scalars)
+        found.append(pores.state_of(max(rho, 1e-150), u, e, scalars, matter))
+        if rho > 0.0 and wave_speed_squared(rho, e, elastic(matter, found[-1])) > 0.0:
+            break
+    return Piece("state", region, found[-1])

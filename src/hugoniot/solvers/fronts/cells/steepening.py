@@ -82,6 +82,6 @@ def track(mesh: Mesh, w: np.ndarray, cell: int, direction: int, time: float) -> 
     mesh.marked[a + 1] = True
     strength = abs(states[0].sigma - states[1].sigma) / max(abs(states[0].sigma), abs(states[1].sigma),
                                                             float(w[RHO, ahead] * w[C, ahead] ** 2))
-    front = Front("shock", speed, direction, strength, 1, time, place, (tuple(states[0]), tuple(states[1])))
+    front = Front("shock", speed, direction, strength, 1, time, place, (tuple(states[0])[:5], tuple(states[1])[:5]))
     mesh.fronts.insert(int(np.count_nonzero(mesh.marked[:a + 1])), front)
     return True

@@ -30,9 +30,9 @@ SHOCK, CONTACT, INTERFACE, SURFACE, END, HEAD, TAIL, DETONATION, ELASTIC_SHOCK, 
 (TIME, STEP, LIMITING, CROWDED, STALLED, CYCLE, LINES, UPDATES, SAMPLED, PENDING, MEETS, RESOLUTION, STEEP_WAY, UNRESOLVED,
  UNSPLIT) = range(15)
 # numbers that do not: `Rules.numbers`
-(DIMENSION, COURANT, WEAKEST, LENGTH, STOP, BURNS, UNBURNED, MOST, ELASTIC, BURN_STEP) = range(10)      # ELASTIC: 0 without solids
+(DIMENSION, COURANT, WEAKEST, LENGTH, STOP, BURNS, UNBURNED, MOST, ELASTIC, BURN_STEP, KINKED) = range(11)   # ELASTIC: 0 without solids
 # traits of a region: `Rules.traits`
-ZONES, GRIP, GAS, SHEAR, YIELDS = range(5)
+ZONES, GRIP, GAS, SHEAR, YIELDS, KINKS = range(6)
 
 WALL, PRESSURE, VACUUM, OPEN = range(4)
 OUTSIDE = {"wall": WALL, "pressure": PRESSURE, "vacuum": VACUUM, "open": OPEN}
@@ -61,8 +61,8 @@ class Rules(NamedTuple):
     passes (regions, 4)    addresses of the passes: states, wave, burning, pace; 0 where there is none
     words (regions,)       addresses of the laws' numbers
     limits (regions, 3)    highest densities: of the material, of reactants, of products
-    traits (regions, 5)    zones; grip to the next region, Pa; 1 for a gas; of a solid 4/3 of its shear modulus (Pa, else 0) and the
-                           largest |ln z| of its stretch
+    traits (regions, 6)    zones; grip to the next region, Pa; 1 for a gas; of a solid 4/3 of its shear modulus (Pa, else 0) and the
+                           largest |ln z| of its stretch; 1 for a law whose slopes at one state say little of its neighbours (kinks)
     ends (2, 5)            kind, shape of the drive, amplitude, start, duration
     times, values (2, n)   of drives given as tables
     numbers                see above

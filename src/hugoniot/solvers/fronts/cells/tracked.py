@@ -9,11 +9,12 @@ from dataclasses import dataclass
 
 from hugoniot.errors import HugoniotError
 from hugoniot.laws.riemann import solver as exact
-from hugoniot.laws.riemann.branch import Branch, Matter, State, wave_speed_squared
+from hugoniot.laws.riemann.branch import Branch, Matter, State, elastic, has_memory, wave_speed_squared
 from hugoniot.laws.riemann.curve import Curve
 from hugoniot.solvers.fronts.cells import detonations, two_sides
 from hugoniot.solvers.fronts.cells import exact as compiled
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front
+from hugoniot.solvers.fronts.cells.pores import state_of
 from hugoniot.solvers.fronts.cells.solids import with_deviator
 from hugoniot.solvers.fronts.cells.tables import (
     F_E,
@@ -65,7 +66,7 @@ class Side:
 
 def warm(state: State, matter: Matter) -> State:
     """The state, lifted by rounding where rounding has made it colder than cold: c^2 < 0."""
-    branch = Branch(matter.par)
+    branch = elastic(matter, state) if has_memory(matter.par) else Branch(matter.par)
     for share in (0.0, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12):
         e = state.e + share * (state.u * state.u + abs(state.e))
         if wave_speed_squared(state.rho, e, branch) >= 0.0:
@@ -85,7 +86,7 @@ def at_fronts(flow, grid, mesh, rows, time: float) -> None:
             compiled.edge(grid, flow.rules, flow.work, rows[k], f)
             rows[k, SPEED_OF] = w[SPEED, f]
             continue
-        if front.direction and flow.solid[grid.region[f - 1] % len(flow.solid)]:
+        if front.direction and (flow.solid | flow.porous)[grid.region[f - 1] % len(flow.solid)]:
             _tried(_in_solid, flow, grid, f, (rows, k, f))
             continue
         moved = _tried(_moved, flow, grid, f, (front, f, n, time))
@@ -115,9 +116,9 @@ def _tried(solve, flow, grid, f: int, given):
 
 
 def _in_solid(flow, grid, rows, k: int, f: int) -> None:
-    """A shock in a solid, whose wave of the two the compiled march knows."""
+    """A shock in a solid or in pores, whose wave of the two the compiled march knows."""
     if not compiled.between(flow.rules, flow.work, rows, k, int(grid.region[f - 1]), int(grid.region[f])):
-        raise ArithmeticError("the Riemann problem at a shock in a solid has no solution: no stress gives both sides the same velocity")
+        raise ArithmeticError("the Riemann problem at a shock with a precursor has no solution: no stress gives both sides one velocity")
     rows[k, SPEED_OF] = flow.work.w[SPEED, f]
     flow.work.flags[0, k] = float(rows[k, STRENGTH] < 0.5 * flow.bench.least(KINDS[int(rows[k, KIND])]))
 
@@ -144,7 +145,9 @@ def _side(flow, grid, block: int, cell: int) -> Side:
     w, region = flow.work.w, int(grid.region[cell])
     rho, u, e, burned, volume, energy, p = w[block:block + P + 1, cell].tolist()
     matter = flow.matter(region, burned, volume, energy)
-    return Side(region, with_deviator(rho, u, e, volume, matter, 0.0)._replace(sigma=p), matter)
+    state = state_of(rho, u, e, (burned, volume, energy), matter) if flow.porous[region % len(flow.porous)] else with_deviator(
+        rho, u, e, volume, matter, 0.0)
+    return Side(region, state._replace(sigma=p), matter)
 
 
 def _scalars(flow, grid, d: int, f: int) -> None:
@@ -170,7 +173,7 @@ def between(front: Front, left: Side, right: Side, bench: Bench) -> Moved:
         behind = left if front.direction > 0 else right
         return _shock(front.direction, exact.contact(a, b, bonded=True, start=behind.state.sigma), a, b)
     grip = math.inf if left.region == right.region else bench.grips[left.region]
-    if a.gas or b.gas:
+    if not (a.bears_tension and b.bears_tension):
         grip = 0.0
     found = exact.contact(a, b, bonded=grip > 0.0)
     if grip > 0.0 and found.stress < -grip:
@@ -226,7 +229,7 @@ def end(kind: str, front: Front, side: Side, d: int, value: float) -> Moved:
         return _moving(side.state.u, side.state.sigma)
     curve = side.curve(d)
     if kind == "wall":
-        found = exact.wall(curve, value, bonded=not curve.gas)
+        found = exact.wall(curve, value, bonded=curve.bears_tension)
         return _moving(value, found.stress, parts=found.vacuum)
     if kind == "vacuum" and curve.gas:      # the edge of an expansion to nothing runs free of all forces
         return _moving(front.speed, 0.0)

@@ -13,6 +13,7 @@ from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.fronts.cells.tables import GAS, LAM, C, E, P, U
 
 ROUNDING = 1e-13   # of a pressure or stiffness: a step of Newton's that small, and against the last ones, is rounding
+AT_REST = 1e-11    # of the stiffness: tension of bodies side by side that rounding in their cells has made
 SLOW = 0.5         # of the last step: where Newton's steps shrink no faster, they are rounding
 RISE, BY_P, RHO_B, E_B, FLUX, VOLUME_B, ENERGY_B, LIMIT_P, LIMIT_RISE, LIMIT_RHO, LIMIT_E, LIMIT_FLUX = range(12, 24)
 
@@ -45,6 +46,8 @@ def meet(rules, work, left, right, bonded, start):
     closing, lowest = a[11] - b[11], min(a[3], b[3])
     acoustic = zb * a[3] + za * b[3] + za * zb * closing
     if not bonded and not (lowest >= 0.0 and (closing >= 0.0 or acoustic > 0.0)):
+        if abs(acoustic) <= AT_REST * max(a[1] * a[4], b[1] * b[4]) * (za + zb):      # bodies at rest side by side: rounding parts nothing
+            return 0.0, (za * a[11] + zb * b[11]) / (za + zb) if za + zb > 0.0 else math.nan
         return math.nan, math.nan
     thrust = min(a[1], b[1]) * closing**2
     scale = max(a[1] * a[4], b[1] * b[4], thrust)
