@@ -31,13 +31,10 @@ from hugoniot.laws.riemann.branch import (
     wave_speed_squared,
     yield_density,
 )
-from hugoniot.laws.riemann.fan import Fan
+from hugoniot.laws.riemann.fan import SPRAY, Fan
 from hugoniot.laws.riemann.medium import Solid, is_gas, name_of, strength_left
 from hugoniot.laws.riemann.solid import TURNS, turned
 from hugoniot.laws.riemann.spreading import AT_LIMIT, NARROW, Spreading
-
-SPRAY = ("law '{}' is stretched to the largest tension it supports, {:.6g} Pa: no wave runs there, and a surface would open inside "
-         "the body (use lagrange1d, or a law that supports more tension)")
 
 
 @dataclass(frozen=True)

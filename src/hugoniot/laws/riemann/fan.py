@@ -25,6 +25,8 @@ from hugoniot.laws.riemann.medium import Frozen, limits_of, name_of
 LARGEST, SMALLEST = 0.4, 1e-4    # steps in ln(rho)
 TOLERANCE = 1e-14
 NOTHING_LEFT = 1e-60             # density over the one ahead at which an expansion counts as complete
+SPRAY = ("law '{}' is stretched to the largest tension it supports, {:.6g} Pa: no wave runs there, and a surface would open inside "
+         "the body (use lagrange1d, or a law that supports more tension)")
 
 
 def _collocation(stages: int):
@@ -134,8 +136,10 @@ class Fan:
         here, last = self.nodes[k], math.inf
         base, low = self.nodes[k], (self.nodes[k + 1][0] if k + 1 < len(self.nodes) else here[0])
         for _ in range(60):
-            miss = value(here) - target
-            s = here[0] - miss / slope_of(here)
+            miss, slope = value(here) - target, slope_of(here)
+            if slope == 0.0 and miss != 0.0 and target < 0.0:      # a law whose tension is cut off
+                raise OutOfRange(SPRAY.format(name_of(self.branch.par), -value(here)))
+            s = here[0] - miss / slope if miss else here[0]
             s = min(max(s, low), base[0])
             moved = abs(s - here[0])
             if moved <= 1e-16 or moved >= last and moved <= 1e-12:

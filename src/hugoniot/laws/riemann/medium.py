@@ -151,6 +151,12 @@ def name_of(par) -> str:
     return MIXTURE.of(par.mixture).name if isinstance(par, Frozen) else EOS.of(par).name
 
 
+def has_pieces(par) -> bool:
+    """Whether slopes of the law leap in many places (tables)."""
+    laws = (par,) if not isinstance(par, Frozen) else (getattr(par.mixture, phase, None) for phase in ("reactants", "products"))
+    return any(law is not None and EOS.of(law).functions["smooth_piece"] is not contract.one_piece for law in laws)
+
+
 def limits_of(par) -> tuple[float, float]:
     """(lowest, highest) density, kg/m3."""
     if not isinstance(par, Frozen):

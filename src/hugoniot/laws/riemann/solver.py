@@ -10,12 +10,20 @@ import math
 from dataclasses import dataclass
 
 from hugoniot.errors import NoSolution, OutOfRange
-from hugoniot.laws.riemann.branch import Matter, State
-from hugoniot.laws.riemann.curve import SPRAY, Curve, Wave
-from hugoniot.laws.riemann.medium import name_of
+from hugoniot.laws.riemann.branch import Matter, State, has_memory, wave_speed_squared
+from hugoniot.laws.riemann.curve import Curve, Wave
+from hugoniot.laws.riemann.fan import SPRAY
+from hugoniot.laws.riemann.medium import has_pieces, name_of
 
 AT_REST = 1e-11       # of the sound speeds: bodies that part no faster are at rest side by side
 TORN = 1e-6      # of the sound speeds: a difference of velocity that is no rounding
+CROSSED = 1e-6   # of the sound speed: the tail of a fan may outrun its head by so much
+WEAK = 1e-3      # strength of shocks that are not looked at: their speed differs from those of sound by no more
+KINKED = 0.05    # by how much a shock may miss the sound on its sides in a law of many pieces (a table), whose slopes leap
+SPLITS = ("the shock of law '{}' to {:.6g} Pa {}: it would break up into several waves, which are not followed (use lagrange1d, or a law "
+          "that is convex there)")
+BENDS = ("law '{}' bends the other way between {:.6g} and {:.6g} kg/m3: the characteristics of this release would cross, and a jump to a "
+         "lower stress run in its place, which is not followed (use lagrange1d, or a law that is convex there)")
 
 
 @dataclass(frozen=True)
@@ -57,6 +65,8 @@ def contact(left: Curve, right: Curve, bonded: bool = False, start: float | None
     a, _, waves_left = left.at(sigma)
     b, _, waves_right = right.at(sigma)
     _hold(b.u - a.u, sigma, (left, right))
+    _spread(left, waves_left)
+    _spread(right, waves_right)
     u = 0.5 * (a.u + b.u)
     return Solution(waves_left, waves_right, (u, u), sigma)
 
@@ -91,6 +101,7 @@ def surface(side: Curve, pressure: float) -> Solution:
 
 
 def _one_sided(side: Curve, waves: list[Wave], velocity: float, sigma: float, vacuum: bool) -> Solution:
+    _spread(side, waves)
     left, right = (waves, []) if side.direction < 0 else ([], waves)
     return Solution(left, right, (velocity, velocity), sigma, vacuum)
 
@@ -106,6 +117,8 @@ def _apart(left: Curve, right: Curve) -> Solution | None:
     (ul, waves_left), (ur, waves_right) = left.surface(), right.surface()
     if ul - ur >= -AT_REST * (left.c + right.c):
         return None
+    _spread(left, waves_left)
+    _spread(right, waves_right)
     return Solution(waves_left, waves_right, (ul, ur), 0.0, True)
 
 
@@ -141,6 +154,25 @@ def _hold(gap: float, sigma: float, sides) -> None:
     """Raise `OutOfRange` where the sides part under the largest tension that their laws bear: the search ends there with a gap."""
     if sigma < 0.0 and abs(gap) > TORN * sum(side.c for side in sides):
         raise OutOfRange(SPRAY.format("' or '".join(dict.fromkeys(name_of(side.matter.par) for side in sides)), -sigma))
+
+
+def _spread(side: Curve, waves: list[Wave]) -> None:
+    """Raise `OutOfRange` where waves would not last, as in a law that is not convex: characteristics of a release that run into each other,
+    shocks of fluids that are slower than the sound ahead or faster than the sound behind (Lax)."""
+    law = side.matter.par
+    plain = not side.solid and not has_memory(law)
+    for wave in waves:
+        if wave.kind == "fan" and (wave.tail - wave.head) * wave.direction > CROSSED * side.c:
+            raise OutOfRange(BENDS.format(name_of(law), *sorted((wave.ahead.rho, wave.behind.rho))))
+        if plain and wave.kind == "shock" and wave.behind.sigma > wave.ahead.sigma and wave.strength > WEAK:
+            flux = (wave.head - wave.ahead.u) * wave.direction * wave.ahead.rho
+            ahead, behind = (state.rho * math.sqrt(max(wave_speed_squared(state.rho, state.e, side.branch), 0.0))
+                             for state in (wave.ahead, wave.behind))
+            loose = KINKED if has_pieces(law) else CROSSED
+            if flux < ahead * (1.0 - loose):
+                raise OutOfRange(SPLITS.format(name_of(law), wave.behind.sigma, "is slower than the sound ahead of it"))
+            if flux > behind * (1.0 + loose):
+                raise OutOfRange(SPLITS.format(name_of(law), wave.behind.sigma, "is faster than the sound behind it"))
 
 
 def _tried(gap, sigma: float, low: float):

@@ -90,10 +90,19 @@ class Fronts(Reading):
         if self.line.full or here > STUCK:
             fronts = f"{len(self.line.fronts)} fronts, more than {self.line.most}"
             count = fronts if self.line.full else f"{here} interactions at one instant"
-            raise UnphysicalState(f"{count}: too many waves to follow exactly",
+            low, high, region = self._crowd()
+            raise UnphysicalState(f"{count}: too many waves to follow exactly; half of them lie between {low:.6g} and {high:.6g} m",
                                   ("raise solver.options.most_fronts, " if self.line.full else "") + "use a coarser "
-                                  "solver.options.fan_step or a larger solver.options.weakest, or stop earlier", None, "",
-                                  None, self.time, self.cycle)
+                                  "solver.options.fan_step or a larger solver.options.weakest, stop earlier, or use "
+                                  "solver.options.mode = \"cells\"", None, region, None, self.time, self.cycle)
+
+    def _crowd(self) -> tuple[float, float, str]:
+        """Where half of the fronts lie closest together, from and to (m), and the region in its middle."""
+        x = np.sort([front.at(self.time) for front in self.line.fronts])
+        half = len(x) // 2
+        k = int(np.argmin(x[half:] - x[:len(x) - half]))
+        piece = self.line.pieces[k + half // 2]
+        return float(x[k]), float(x[k + half]), self.problem.regions[piece.region].name if piece.region >= 0 else ""
 
     def _next_change(self) -> tuple[float, int]:
         """(time, side) of the next step of a driven end."""

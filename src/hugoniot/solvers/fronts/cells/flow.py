@@ -11,7 +11,7 @@ from hugoniot.laws.burn.contract import BURN, Reactive
 from hugoniot.laws.eos.contract import EOS, density_limits, flagged
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.riemann.branch import Matter, State, has_memory
-from hugoniot.laws.riemann.curve import SPRAY
+from hugoniot.laws.riemann.fan import SPRAY
 from hugoniot.laws.riemann.medium import Frozen, Porous, Solid, mixture_limit
 from hugoniot.materials import burning
 from hugoniot.problem.model import Problem
