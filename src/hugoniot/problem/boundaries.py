@@ -56,6 +56,11 @@ def read_boundary(value: Any, collector: Collector, path: tuple) -> Boundary | N
     if not isinstance(value, dict):
         collector.add(path, "expected a string or a table", _FORMS)
         return None
+    kind = value.get("kind")
+    if isinstance(kind, str) and kind in PLAIN and not set(value) & set(DRIVEN):
+        collector.add(path, f"a boundary of kind '{kind}' is given by that word, not by a table",
+                      f"write [boundary] with {path[-1]} = \"{kind}\"")
+        return None
     for key in value:
         if key not in DRIVEN:
             collector.unknown((*path, key), DRIVEN)
