@@ -105,6 +105,8 @@ def _in_words(item: Mapping, model: type[BaseModel]) -> tuple[str, str]:
     shown = printable(given if isinstance(given, str) else _brief(given), 40)
     if kind == "deck":
         return context["message"], context["hint"]
+    if kind == "extra_forbidden" and location == ("sweep",) and "output" in keys_of(model):
+        return "only hugoniot sweep runs a deck with this table", "leave the table out to make a single run"
     if kind == "extra_forbidden":
         return "unknown key", nearest(location[-1], keys_of(_model_at(model, location[:-1])))
     if kind == "missing":

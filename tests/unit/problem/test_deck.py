@@ -112,6 +112,19 @@ def test_boundaries(text, expected):
     assert problem(end=f"[boundary]\nleft = {text}\n").left == expected
 
 
+def test_a_word_written_as_a_table_of_a_boundary_is_answered_with_the_right_form():
+    with pytest.raises(DeckError) as told:
+        problem(end='[boundary.right]\nkind = "transmitting"\n')
+    assert [str(p) for p in told.value.problems][0].endswith(
+        "boundary.right: a boundary of kind 'transmitting' is given by that word, not by a table; write [boundary] with right = \"transmitting\"")
+    assert len(told.value.problems) == 1
+
+
+def test_a_deck_with_a_table_for_a_sweep_names_the_command_that_runs_it():
+    with pytest.raises(DeckError, match="sweep: only hugoniot sweep runs a deck with this table"):
+        problem(end='[sweep]\nvary = ["stop_time = 1..2 us : 2"]\n')
+
+
 def test_the_centre_needs_no_boundary():
     assert problem(top='geometry = "spherical"').left == Boundary("fixed")
     assert problem(top='geometry = "planar"').left == Boundary("free")
