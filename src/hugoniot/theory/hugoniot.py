@@ -268,7 +268,7 @@ def _refuse(status, mode, name, target, ahead: Initial, par):
         if math.isfinite(end.particle_velocity):
             reach += (f", pressure {end.pressure:.6g} Pa, particle velocity {end.particle_velocity:.6g} m/s, "
                       f"shock velocity {end.shock_velocity:.6g} m/s")
-        raise OutOfRange(f"{asked} is beyond the compression limit of law '{law}' from {ahead.density:.6g} kg/m3: "
+        raise OutOfRange(f"{asked} is beyond the compression limit of law '{law}' (density ahead {ahead.density:.6g} kg/m3): "
                          f"the Hugoniot ends at {reach}; try a weaker shock")
-    raise NoSolution(f"the search for {asked} on the Hugoniot of law '{law}' from {ahead.density:.6g} kg/m3 did not converge: "
+    raise NoSolution(f"the search for {asked} on the Hugoniot of law '{law}' (density ahead {ahead.density:.6g} kg/m3) did not converge: "
                      "the law is not smooth there; try a neighbouring state")

@@ -51,12 +51,20 @@ def _met(subjects: list[Subject], solve):
     except (OutOfRange, NoSolution) as error:
         for subject in subjects:
             law, rho = EOS.of(subject.material.eos).name, reference_state(subject.material.eos)[0]
-            if f"'{law}'" in str(error) and f"from {rho:.6g} kg/m3" in str(error):
+            if f"'{law}'" in str(error) and f"density ahead {rho:.6g} kg/m3" in str(error):
                 rows = [row for row in _other_rows(subject) if _reaches(layers, subject.material.name, row, solve)]
                 name = subject.material.name
-                hint = f"; row {' or '.join(rows)} of the library reaches further: give it in place of '{name}'" if rows else ""
-                raise type(error)(f"material '{name}': {error}{hint}") from None
+                raise type(error)(f"material '{name}': {error}{_advice(rows, name)}") from None
         raise
+
+
+def _advice(rows: list[str], name: str) -> str:
+    """What to give in place of a material: the rows that reach further, in words; empty without any."""
+    if not rows:
+        return ""
+    if len(rows) == 1:
+        return f"; row {rows[0]} of the library reaches further: give it in place of '{name}'"
+    return f"; rows {', '.join(rows[:-1])} and {rows[-1]} of the library reach further: give one of them in place of '{name}'"
 
 
 def _other_rows(subject: Subject) -> list[str]:
