@@ -50,7 +50,7 @@ def command(
             typer.echo(_SHIFT)
         equal = [f"{row['field']} ({row['gauge']})" if row["gauge"] else row["field"] for row in found.rows() if row["linf"] == 0.0]
         if equal:
-            typer.echo(f"{'equal' if rows else 'all records are equal'}: {', '.join(equal)}")
+            typer.echo(f"equal: {', '.join(equal)}" if rows else f"all {len(equal)} records are equal")
         if found.unmatched:
             typer.echo(f"without a counterpart: {', '.join(found.unmatched)}")
     if plot is not None:

@@ -214,7 +214,7 @@ def compare(a, b, gauge: str | None = None) -> Comparison:
                                f"it has: {', '.join(run.gauge_names()) or 'none'}")
     if gauge is not None and not is_table:
         raise DeckError.single("compare", None, "--gauge", "two runs are always compared gauge by gauge", "omit it")
-    pairs, unmatched, notes = [], [], []
+    pairs, unmatched, notes, apart = [], [], [], False
     if not is_table:
         notes += _of_two_runs(run, b if isinstance(b, Run) else load(b))
     choice = Choice(run, gauge, str(b), notes)
@@ -222,14 +222,19 @@ def compare(a, b, gauge: str | None = None) -> Comparison:
         own = choice.counterpart(other, mine)
         if own is None or own.time[-1] < other.time[0] or other.time[-1] < own.time[0]:
             unmatched.append(f"{other.gauge} {other.field}".strip())
+            apart = apart or own is not None
             continue
         pairs.append(Pair(own, other, difference(own.time, own.values, other.time, other.values)))
     if not is_table:
         there = {(other.gauge, other.field) for other in others}
         unmatched += [f"{own.gauge} {own.field}" for own in mine if (own.gauge, own.field) not in there]
     name_b = str(b.folder if isinstance(b, Run) else b)
+    if not pairs and apart:
+        raise _table_error(name_b, None, "time", f"no record in it overlaps in time with its counterpart in {run.folder}",
+                           "check the unit and the origin of its times")
     if not pairs:
-        known = ", ".join(sorted({f"{r.gauge} {r.field}" for r in mine})[:8])
-        message = f"it has no record that matches a gauge of {run.folder} and overlaps it in time"
-        raise _table_error(name_b, None, "columns", message, f"that run has: {known}")
+        known = sorted({f"{r.gauge} {r.field}" for r in mine})
+        message = f"no record in it matches a gauge of {run.folder}"
+        raise _table_error(name_b, None, "columns", message,
+                           f"{run.folder} has: {', '.join(known[:8])}" + (f" and {len(known) - 8} more" if len(known) > 8 else ""))
     return Comparison(str(run.folder), name_b, tuple(pairs), tuple(unmatched), tuple(notes))
