@@ -45,7 +45,8 @@ class Run:
         self.folder, self.partial = pathlib.Path(folder), partial
         self._looked_at: dict[str, tuple] = {}
         if not self.folder.is_dir():
-            raise FileTrouble(f"{self.folder}: there is no such run folder")
+            what = "this is a file, not a run folder" if self.folder.exists() else "there is no such run folder"
+            raise FileTrouble(f"{self.folder}: {what}")
         if not (self.folder / "result.h5").is_file() or not (self.folder / "summary.json").is_file():
             raise FileTrouble(f"{self.folder}: {_what_is_there(self.folder)}")
         self._tables: dict[str, tuple[Columns, dict, dict]] = {}

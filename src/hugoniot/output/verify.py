@@ -39,7 +39,8 @@ def verify(folder, survey: bool = True) -> list[Finding]:
     """
     folder = pathlib.Path(folder)
     if not folder.is_dir():
-        raise FileTrouble(f"{folder}: there is no such run folder")
+        what = "this is a file, not a run folder" if folder.exists() else "there is no such run folder"
+        raise FileTrouble(f"{folder}: {what}")
     if (folder / "summary.json").exists() or (folder / "result.h5").exists():
         return _finished(folder, "summary.json", survey)
     for name in LISTS:
