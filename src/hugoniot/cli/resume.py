@@ -26,6 +26,7 @@ def command(
     """
     from hugoniot import simulate
 
+    finished = (folder / "summary.json").is_file()
     try:
         with progress(quiet or as_json) as display:
             run = simulate.resume(folder, progress=display, restore_deck=restore_deck)
@@ -36,6 +37,8 @@ def command(
 
         echo_json(record(run))
     else:
+        if finished:
+            typer.echo(f"{folder} was finished already: nothing was run, only missing files are written")
         echo_results(run)
         echo_place(run)
     _warn_of_changes(folder)

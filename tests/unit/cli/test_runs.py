@@ -121,7 +121,7 @@ def test_a_folder_that_is_no_run_is_a_matter_of_files(command, place, capsys):
 def test_a_finished_run_resumes_to_itself(place, capsys):
     before = (place / "tube.run" / "result.h5").read_bytes()
     code, out, _ = call(capsys, "resume", place / "tube.run", "-q")
-    assert code == 0 and "done" in out
+    assert code == 0 and "done" in out and "was finished already" in out
     assert (place / "tube.run" / "result.h5").read_bytes() == before
 
 
