@@ -97,9 +97,12 @@ class Plan:
         used = {key for tie in self.ties for key in tie.expression.keys}
         for variable in self.design.variables:
             if not self.is_key(variable.name) and variable.name not in used:
-                known = top_keys(self.question.raw) if isinstance(self.question, Deck) else [*self.question.places_of, "velocity"]
-                raise refuse(self.option, variable.name, "not a key of the deck, and no tie uses it",
-                             nearest(variable.name, known, "keys are written like region.flyer.velocity"))
+                if isinstance(self.question, Deck):
+                    what, known, form = "a key of the deck", top_keys(self.question.raw), "keys are written like region.flyer.velocity"
+                else:
+                    what, known = "an input of the match", ["velocity", *self.question.places_of]
+                    form = f"the inputs are {', '.join(known)} and constants such as material.copper.eos.c0"
+                raise refuse(self.option, variable.name, f"not {what}, and no tie uses it", nearest(variable.name, known, form))
         first = self._first_with_values()
         if isinstance(self.question, Deck):
             self._check_deck(self.question, first, self.option)

@@ -185,7 +185,7 @@ def _column(columns: dict[str, np.ndarray], name: str, *shape: int) -> np.ndarra
 
 def _unknown_outputs(journal: Journal, keys: list[str], answered: list[int], outputs: Sequence[str]) -> None:
     numbers = next((a["numbers"] for a in journal.answers([keys[case] for case in answered]) if "numbers" in a), {})
-    raise refuse("--output", outputs[0], "no result has such a name", f"there are: {', '.join(numbers)}")
+    raise refuse("--output", outputs[0], "no result has such a name", f"the results are: {', '.join(numbers)}")
 
 
 def unit_of_result(name: str) -> str:

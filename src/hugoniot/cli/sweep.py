@@ -110,7 +110,8 @@ def _echo(swept) -> None:
         typer.echo(f"... and {len(table) - MOST_ROWS} more")
     failed, page = sum(map(bool, table.reasons)), swept.folder / "report.html"
     known = f", {progress.known} of them known from an earlier run" if progress.known else ""
-    typer.echo(f"\n{len(table)} cases in {duration(swept.seconds)}{known}" + (f"; {failed} failed" if failed else ""))
+    count = f"{len(table)} case{'' if len(table) == 1 else 's'}"
+    typer.echo(f"\n{count} in {duration(swept.seconds)}{known}" + (f"; {failed} failed" if failed else ""))
     _echo_analysis(swept)
     _echo_constants(swept.constants)
     typer.echo(f"table in {swept.folder / 'cases.csv'} and sweep.h5" + (f", report: {page}" if page.is_file() else ""))

@@ -244,7 +244,7 @@ def test_sweeps_can_stand_in_files(deck, tmp_path, inline):
     ({"vary": [SPEEDS], "record": ["surface.velocity"]}, "no such gauge.*'free surface.velocity'"),
     ({"vary": [SPEEDS], "output": ["*.arival"]}, "no result has such a name"),
     ({"vary": [SPEEDS], "match": ["copper"]}, "needs a flyer and a target"),
-    ({"vary": ["speed = 1..2 km/s : 2"], "match": ["copper", "iron"]}, "not a key of the deck, and no tie uses it"),
+    ({"vary": ["speed = 1..2 km/s : 2"], "match": ["copper", "iron"]}, "not an input of the match, and no tie uses it; the inputs are velocity, flyer"),
     ({"vary": ["velocity = 1..2 mm : 2"], "match": ["copper", "iron"]}, "expected a velocity"),
     ({"vary": ["material.zinc.eos.c0 = 1..2 km/s : 2"], "match": ["copper", "iron"]}, "an impedance match has no such input"),
     ({"vary": ["velocity = 1..2 km/s : 2"], "match": ["copper", "iron"], "keep": True}, "produces no run"),
