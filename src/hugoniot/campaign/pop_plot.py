@@ -112,8 +112,8 @@ def charge_of(material: Material) -> Charge:
     """The charge of a material that burns by a rate; OutOfRange for any other."""
     law = BURN.of(material.burn) if material.burn is not None else None
     if law is None or not {"pressure_driven", "temperature_driven"} & set(law.flags) or "instantaneous" in law.flags:
-        raise OutOfRange(f"material '{material.name}' has no rate-based burn law, which a Pop plot needs: use one such as "
-                         "\"LX-17 reactive\" from the library or a material with an [unreacted] and a [burn] table")
+        raise OutOfRange(f"material '{material.name}' has no rate-based burn law, which a Pop plot needs: use a material such as "
+                         "\"LX-17 reactive\" from the library, or one with an [unreacted] and a [burn] table")
     burning.reactive(material)     # says what is missing
     return Charge(replace(material, name="explosive"), detonation_velocity(material), Initial.at_rest(material.unreacted))
 

@@ -204,6 +204,7 @@ def _within(target: Target, path: str, spans: list[tuple[float, float]], end: fl
         notes.append(f"{target.label}: {int(late.sum())} of {int(kept.sum())} points are later than the deck's stop_time, and left out")
     kept &= ~late
     if kept.sum() < 3:
-        raise DeckError.single(path, None, target.label, "fewer than 3 points of it lie in the window and before the deck's stop_time",
+        raise DeckError.single(path, None, target.label.rpartition(": ")[2],
+                               "fewer than 3 of its points lie in the window and before the deck's stop_time",
                                "give another --window, or a later stop_time")
     return replace(target, time=target.time[kept], values=target.values[kept], sigma=target.sigma[kept])

@@ -38,7 +38,8 @@ def command(
             raise DeckError.single("command line", None, "--units, --name, --density", "apply to LS-DYNA cards only", "omit them")
         shown, left = _deck(text, file, kind)
     elif units is None:
-        raise DeckError.single("command line", None, "--units", "the units of LS-DYNA cards are not given", 'write --units "g cm us"')
+        raise DeckError.single("command line", None, "--units", f"'{file.name}' is read as LS-DYNA cards, whose units are not given",
+                               'write --units "g cm us", or give a deck of pyKO or KO, whose name ends in .yml, .yaml or .in')
     else:
         given = quantity(density, "kg/m^3", "--density") if density else None
         tables, left = material_tables(read_cards(text, file.name), scale_of(units), file.name, given)

@@ -22,8 +22,8 @@ def unresolved(problem: Problem, segments: np.ndarray, region_of: np.ndarray) ->
         region = problem.regions[k]
         if zones < FEWEST:
             size = abs(region.end - region.start) / region.zones * zones / FEWEST
-            texts.append(f"a void opened in '{region.name}' {zones} zone{'' if zones == 1 else 's'} from the end of that region: "
-                         f"with fewer than {FEWEST} zones there, "
+            texts.append(f"a void opened in '{region.name}' {zones} zone{'' if zones == 1 else 's'} from an end of that region: "
+                         f"with fewer than {FEWEST} zones between the void and that end, "
                          "the number of spall planes and the pull-back depend on the mesh; "
-                         f"try zone_size = \"{format_si(size, 'm', 2)}\" there and compare")
+                         f"try zone_size = \"{format_si(size, 'm', 2)}\" in that region and compare")
     return texts

@@ -67,8 +67,8 @@ def marks(row: Row) -> tuple[str, ...]:
     found = list(row.marks)
     name = f"{row.id} ({row.material})"
     if "states" in row and row["us_deviation"] > SCATTER_LIMIT * (row["c0"] + row["s"] * 0.5 * (row["up_min"] + row["up_max"])):
-        found.append(f"{name}: MISSES THE DATA: its shock velocities are {row['us_deviation']:.0f} m/s (root mean square) from the "
-                     f"{row['states']:g} measured states of the library")
+        found.append(f"{name}: MISSES THE DATA: its shock velocities deviate from the {row['states']:g} measured states "
+                     f"of the library by {row['us_deviation']:.0f} m/s (root mean square)")
     if row.table == "jwl" and row["role"] == "products":
         state = recorded_closure(row)
         if state is not None and not state.closes:

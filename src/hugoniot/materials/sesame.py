@@ -110,7 +110,7 @@ def grid(found: list[Record], number: int = 301, material: int | None = None, na
                 return _total([_grid(part, name, units) for part in stored], name)
     which = "" if material is None else f" of material {material}"
     here = sorted({r.number for r in found if material in (None, r.material)} & {*PARTS, *CURVES})
-    raise DeckError.single(name, None, str(number), f"no {number} table{which} in this file" + (
+    raise DeckError.single(name, None, "table", f"no {number} table{which} in this file" + (
         f"; it has {', '.join(map(str, here))}" if here else ""), "give a SESAME-format ASCII file or a CSV with a header")
 
 

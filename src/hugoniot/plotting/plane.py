@@ -26,7 +26,8 @@ EDGES = {"axis": (QUIET, (0, (8, 3, 1, 3))), "wall": (INK, "-"), "velocity": (CO
 def needs_plane(run, picture: str) -> None:
     """Refuse a picture of two dimensions for a run of one."""
     if "axes" not in run.setup:
-        raise DeckError.single(run.folder, None, "kind", f"a {picture} needs a two-dimensional run", "this run has one dimension; use xt")
+        raise DeckError.single(run.folder, None, "kind", f"a {picture} needs a two-dimensional run",
+                               f"this run has one dimension: use hugoniot plot {run.folder} xt")
 
 
 def plane_field(run, field: str, k) -> np.ndarray:

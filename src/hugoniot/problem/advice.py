@@ -114,7 +114,8 @@ def _met(problem: Problem) -> dict[str, float]:
 
 def _beyond_atoms(met: dict[str, float]) -> list[str]:
     """Materials without a stated range that meet something so fast that their atoms lose electrons."""
-    return [f"material '{name}' is driven to a particle velocity of about {speed:.3g} m/s, {0.5e-6 * speed**2:.3g} MJ/kg: "
+    return [f"material '{name}' is driven to a particle velocity of about {speed:.3g} m/s "
+            f"(a specific energy of {0.5e-6 * speed**2:.3g} MJ/kg): "
             f"its atoms are ionised there, which no law of a deck describes, and no range of its data is stated (valid_up_to)"
             for name, speed in met.items() if speed > IONISED]
 

@@ -69,7 +69,7 @@ def us_up(up, us, degree: int = 1) -> UsUpFit:
         raise OutOfRange("each point needs a finite particle velocity and a finite shock velocity")
     if np.unique(up).size < degree + 2:
         raise OutOfRange(f"a fit of degree {degree} with a standard deviation needs {degree + 2} different particle velocities, "
-                         f"there are {np.unique(up).size}")
+                         f"got {np.unique(up).size}")
     scale = np.max(np.abs(up))
     design = np.vander(up / scale, degree + 1, increasing=True)
     scaled, _, _, _ = np.linalg.lstsq(design, us, rcond=None)

@@ -230,7 +230,7 @@ def test_a_wall_seen_by_a_streak_camera_gives_the_tube_back(tmp_path, inline):
     ({"sigma": "0 m/s"}, "above 0"),
     ({"shift": "20 mm"}, "--shift '20 mm': expected a time"),
     ({"scale": "-1 %"}, "--scale '-1 %': not above 0"),
-    ({"window": ["2..3 us"]}, "fewer than 3 points"),
+    ({"window": ["2..3 us"]}, "csv: velocity: fewer than 3 of its points"),
     ({"window": ["3 us"]}, "not a range of times"),
     ({"window": ["other.csv = 0..1 us"]}, "no such file is given"),
     ({"gauge": "surface"}, "no such gauge in the deck; did you mean 'free surface'"),

@@ -106,8 +106,8 @@ def match(
     speed = quantity(velocity, "m/s", "--velocity")
     if thickness:
         if len(thickness) != len(materials):
-            raise DeckError.single("command line", None, "--thickness", f"{len(thickness)} thicknesses for {len(materials)} layers",
-                                   "give one for each layer")
+            given = f"{len(thickness)} thickness{'' if len(thickness) == 1 else 'es'}"
+            raise DeckError.single("command line", None, "--thickness", f"{given} for {len(materials)} layers", "give one for each layer")
         sizes = [quantity(t, "m", "--thickness") for t in thickness]
         eos_match.waves([find_inert(m) for m in materials], speed, sizes, quantity(until, "s", "--until"), as_json, as_csv, plot)
         return

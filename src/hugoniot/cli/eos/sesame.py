@@ -34,6 +34,8 @@ def sesame(
         raise DeckError.single(file, None, "table", "not a text file", "give a SESAME-format ASCII file") from None
     except OSError as error:
         raise FileTrouble(f"{file}: {error.strerror or error}") from None
+    if not found:
+        raise DeckError.single(file, None, "table", "no table in this file", "give a SESAME-format ASCII file")
     held = files.materials(found)
     chosen = material if material is not None else held[0] if held else None
     grids = {r.number: files.grid(found, r.number, chosen, str(file)) for r in found

@@ -2,8 +2,9 @@ r"""JWL++: one pressure-driven term with first-order depletion.
 
 $$\dot\lambda = G\,p^b\,(1-\lambda), \qquad p \text{ with the artificial viscosity added}$$
 
-The step is exact at constant pressure: the unburned fraction decays exponentially. In this model the pressures of the phases are weighted
-by burn fraction (`WeightedPressures`).
+$\lambda$ is the burned mass fraction. The step is exact at constant pressure: the unburned fraction decays exponentially. The pressures of
+the phases are weighted by burn fraction (`weighted_pressures`, the closure used with this law unless the material names another). A
+published G in $\mathrm{\mu s^{-1}\,Mbar^{-b}}$ is multiplied by $10^{6-11b}$.
 
 Source: P. C. Souers, S. Anderson, J. Mercer, E. McGuire, P. Vitello, Propellants, Explosives, Pyrotechnics 25 (2000) 54.
 """

@@ -3,8 +3,9 @@ r"""Stiffened gas: an ideal gas under a constant internal pressure, for liquids.
 $$p = (\gamma - 1)\rho e - \gamma P_\infty, \qquad T = \frac{e - P_\infty/\rho}{c_v}, \qquad
   s = c_v \ln\frac{T}{T_0} - (\gamma - 1)c_v\ln\frac{\rho}{\rho_0}$$
 
-$P_\infty > 0$ is minus the $p_\infty$ of the source, which has the opposite sign (S-E8). The adiabatic exponent is $\gamma(p + P_\infty)/p$
-(S-E6). T0 is the temperature at rest, that is, at rho0 and zero pressure.
+$P_\infty > 0$; the source writes it with the opposite sign, $p_\infty = -P_\infty$ (S-E8). The adiabatic exponent $\rho c^2/p$ is
+$\gamma(p + P_\infty)/p$ (S-E6), not $\gamma$. The temperature at rest, that is, at $\rho_0$ and zero pressure, is
+$T_0 = P_\infty/((\gamma - 1)\rho_0c_v)$.
 
 Source: Starkenberg A-8.
 """
@@ -69,7 +70,8 @@ EOS.add(
                reference_isentrope],
     example=StiffenedGas(4.4, 6e8, 1000.0, 1400.0),
     units={"gamma": "1", "p_infinity": "Pa", "rho0": "kg/m^3", "specific_heat": "J/kg/K"},
-    meaning={"gamma": "exponent", "p_infinity": "internal pressure P (positive)", "rho0": "density at rest, zero pressure",
+    meaning={"gamma": "constant gamma of the law", "p_infinity": "internal pressure P_infinity (positive)",
+             "rho0": "density at rest, zero pressure",
              "specific_heat": "specific heat at constant volume (for temperatures)"},
     defaults={"rho0": 1000.0, "specific_heat": math.nan},
     box={"rho": (700.0, 3000.0), "e": (9e5, 2e7)},

@@ -133,7 +133,7 @@ def diagnose(code, values, left, right, breaks: bool) -> tuple[str, str]:
         return ("negative or zero density.", "lower [solver] courant.")
     if values["pressure"] < 0.0:
         return ("the sound speed became imaginary in tension: the material is stretched beyond the range of its equation of state.",
-                "lower the limits of the fracture law ([material.x.fracture]), or an equation of state valid in expansion." if breaks
+                "lower the limits of the fracture law ([material.x.fracture]), or use an equation of state valid in expansion." if breaks
                 else "add a fracture law to the material ([material.x.fracture]).")
     return ("the sound speed is imaginary or not finite: the state left the range of its equation of state.",
             "check the impact conditions against the law's compression limit, lower [solver] courant, or use another equation of state.")
