@@ -16,6 +16,7 @@ from hugoniot.errors import DeckError, FileTrouble
 DEEPEST = 100           # tables and arrays within each other, and parts of a key, of a file in TOML
 LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+)""" f"{{{DEEPEST}}}")
 LARGEST = 256_000_000   # bytes; more than any deck, material file or table of measured data has
+_RARE_ENDS = "\x0b\x0c\x1c\x1d\x1e\x85\u2028\u2029"     # of lines, as `str.splitlines` knows them
 _COLLECTION = b"GCOL\x01"
 _WITHOUT_WAITING = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
 
@@ -75,11 +76,15 @@ def toml_tables(text: str) -> dict:
     return raw
 
 
-def csv_rows(text: str, name, first: int = 1) -> list[tuple[int, list[str]]]:
+def csv_rows(text: str, name, first: int = 1, most: int | None = None) -> list[tuple[int, list[str]]]:
     """(line, cells) of comma-separated text, without empty lines and comments (#). Raises `DeckError`.
 
     name, first   what messages call the text, and the number of its first line
+    most          the lines that the text may have; one that has more is not begun with
     """
+    if most is not None and max(text.count("\n"), text.count("\r")) + sum(map(text.count, _RARE_ENDS)) > most:
+        raise DeckError.single(name, most + 1, "row", f"more than {most:,} lines are too many".replace(",", " "),
+                               "use fewer: values between two lines are linear")
     reader = csv.reader(text.splitlines())
     try:
         return [(reader.line_num + first - 1, row) for row in reader if row and not row[0].lstrip().startswith("#")]

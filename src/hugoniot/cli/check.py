@@ -30,7 +30,8 @@ def command(
         _require_shock(found.problem, str(deck))
     except DeckError as error:
         if as_json:
-            echo_json({"ok": False, "problems": [vars(p) for p in error.problems]})
+            number = {"count": len(error.problems) + error.more, "at_least": error.at_least}
+            echo_json({"ok": False, **number, "problems": [vars(p) for p in error.problems]})
             raise typer.Exit(error.exit_code) from None
         raise
     warnings = [*found.warnings, *_echoes(found.problem)]
