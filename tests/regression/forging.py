@@ -130,10 +130,10 @@ def forge(whole, folder, change) -> bool:
     return True
 
 
-def sign(folder, summary):
-    """Write the summary with the checksum that result.h5 has now, and its own."""
+def sign(folder, summary, name="result.h5"):
+    """Write the summary with the checksum that a file has now, and its own."""
     summary = json.loads(json.dumps(summary))
-    summary["sha256"]["result.h5"] = digest(folder / "result.h5").sha256
+    summary["sha256"][name] = digest(folder / name).sha256
     (folder / "summary.json").write_text(sealed_json(summary))
 
 

@@ -8,7 +8,7 @@ import random
 import shutil
 
 import pytest
-from forging import altered, commands, forge, forgeries, other_setup, read_all, told
+from forging import altered, commands, forge, forgeries, other_setup, read_all, sign, told
 from solver_decks import DECKS
 
 from hugoniot import simulate
@@ -98,6 +98,17 @@ def test_every_change_of_a_result_is_refused_in_words(solved, tmp_path, name):
 def test_every_reader_refuses_a_hundred_changes_in_words(solved, tmp_path, name):
     check_results(solved(name), tmp_path, 100, True)
     check_documents(solved(name), tmp_path, 40, True)
+
+
+@pytest.mark.parametrize("name", ["kind", "end_time", "strength"])
+def test_a_list_of_fronts_without_a_column_is_refused_in_words(solved, tmp_path, name):
+    folder = shutil.copytree(solved("fronts"), tmp_path / "run")
+    head, *lines = (folder / "fronts.csv").read_text().splitlines()
+    k = head.split(",").index(name)
+    (folder / "fronts.csv").write_text("".join(",".join(cell for n, cell in enumerate(line.split(",")) if n != k) + "\n" for line in (head, *lines)))
+    sign(folder, load(solved("fronts")).summary, "fronts.csv")
+    code, err = told("plot", folder, "xt", "--out", tmp_path / "picture.png")
+    assert code == 4 and f"fronts.csv: not the fronts of a run (it has no column '{name}')" in err
 
 
 def test_a_gauge_column_that_is_gone_is_named(solved, tmp_path):

@@ -80,6 +80,8 @@ class Run:
             with legible(path):
                 head, *lines = read_text(path).splitlines()
             names, rows = head.split(","), [line.split(",") for line in lines]
+            if lost := [name for name in ("kind", "time", "position", "end_time", "end_position", "strength") if name not in names]:
+                raise ValueError(f"it has no column '{lost[0]}'")
             columns = dict(zip(names, zip(*rows, strict=True), strict=True)) if rows else dict.fromkeys(names, ())
             return {name: np.array(values) if name == "kind" else np.array(values, dtype=float) for name, values in columns.items()}
         except ValueError as error:     # only a damaged file that is read on demand
