@@ -9,6 +9,7 @@ from hugoniot.cli.show import JSON, MATERIALS, SET, echo_json, echo_table, overr
 from hugoniot.errors import DeckError, NoSolution, OutOfRange
 from hugoniot.materials import burning
 from hugoniot.materials.reach import reach
+from hugoniot.materials.validity import range_of
 from hugoniot.problem.cost import estimate
 from hugoniot.problem.deck import Deck, read_deck
 from hugoniot.units import format_si
@@ -37,7 +38,8 @@ def command(
     warnings = [*found.warnings, *_echoes(found.problem)]
     if as_json:
         cost = estimate(found.problem)._asdict()
-        ranges = {name: {"up_to": m.valid_up_to, "words": reach(m)} for name, m in found.problem.materials.items()}
+        ranges = {name: {"up_to": m.valid_up_to, "estimated_up_to": None if (end := range_of(m)).stated else end.up, "words": reach(m)}
+                  for name, m in found.problem.materials.items()}
         echo_json({"ok": True, "warnings": warnings, "ranges": ranges, "estimate": cost, "resolved": found.resolved})
     elif resolved:
         typer.echo(found.resolved, nl=False)
