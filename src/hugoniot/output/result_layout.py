@@ -87,10 +87,11 @@ def _described(table, group: str, listed: bool) -> Described:
     lost = [name for name in wanted if name not in names]
     if lost:
         raise Misfit(f"{group}: has no column '{lost[0]}'")
-    found = Described({}, {}, {}, {})
+    found, own = Described({}, {}, {}, {}), {name: _own(table, name) for name in names}
+    places = places_of({name: data for name, data in own.items() if name in axes and data is not None})
     for name in sorted(names, key=lambda name: name not in axes):      # the lengths of the axes are asked for by the others
         try:
-            _describe_column(_own(table, name), group, name, found)
+            _describe_column(own[name], group, name, places, found)
         except Misfit as error:
             raise Misfit(f"{group}/{name}: {error}") from None
     inside = {name: place for place, name in enumerate(order)}
@@ -106,8 +107,8 @@ def _own(group, name: str):
         return None
 
 
-def _describe_column(data, group: str, name: str, found: Described) -> None:
-    """Add a column to those found before it, its axes among them. Raises `Misfit`."""
+def _describe_column(data, group: str, name: str, places: dict[int, str], found: Described) -> None:
+    """Add a column to those found before it, its axes among them, which lie at `places` of the file. Raises `Misfit`."""
     if not isinstance(data, h5py().Dataset):
         raise Misfit("not a column")
     shape, kind = data.shape, data.dtype
@@ -116,7 +117,7 @@ def _describe_column(data, group: str, name: str, found: Described) -> None:
         if len(shape or ()) != 1:
             raise Misfit(f"is of shape {shape}; an axis has one dimension")
     else:
-        along = axes_of(data, group, len(shape or ()))
+        along = axes_of(data, places)
         short = along == ("time",) and (group == "gauges" or group == "snapshots" and name not in _WHOLE)
         if not along or short or shape != tuple(found.shapes[axis][0] for axis in along if axis in found.shapes):
             raise Misfit(f"is of shape {shape}, which does not fit the axes of '{group}'")
@@ -129,24 +130,29 @@ def _describe_column(data, group: str, name: str, found: Described) -> None:
         part[name] = value
 
 
-def axes_of(data, group: str, rank: int) -> tuple[str, ...]:
+def axes_of(data, places: dict[int, str]) -> tuple[str, ...]:
     """The axes to which a column is tied, those of its own group; empty where it is not tied to them.
 
     Read from the attribute itself: HDF5's own way to them ends the process where the attribute is of another kind.
     """
-    found: list[str] = []
-    if "DIMENSION_LIST" not in data.attrs:
+    rank, found = len(data.shape or ()), []
+    ties = data.attrs.get_id("DIMENSION_LIST") if "DIMENSION_LIST" in data.attrs else None
+    if ties is None or ties.shape != (rank,):
         return ()
-    ties = data.attrs.get_id("DIMENSION_LIST")
-    if ties.shape != (rank,) or h5py().check_ref_dtype(h5py().check_vlen_dtype(ties.dtype) or ties.dtype) is not h5py().Reference:
+    if h5py().check_ref_dtype(h5py().check_vlen_dtype(ties.dtype) or ties.dtype) is not h5py().Reference:
         return ()
     for tied in data.attrs["DIMENSION_LIST"]:
-        place = (h5py().h5r.get_name(tied[0], data.id) or b"").decode("utf-8", "replace") if np.size(tied) == 1 and tied[0] else ""
-        owner, _, name = place.rpartition("/")
-        if owner != f"/{group}" or name not in AXES[group]:
+        axis = h5py().h5r.dereference(tied[0], data.id) if np.size(tied) == 1 and tied[0] else None
+        name = places.get(h5py().h5o.get_info(axis).addr) if axis else None
+        if name is None:
             return ()
         found.append(name)
     return tuple(found) if 1 <= len(found) <= 2 and len(set(found)) == len(found) else ()
+
+
+def places_of(axes: dict) -> dict[int, str]:
+    """Where in the file the axes of a group lie: {address: name}."""
+    return {h5py().h5o.get_info(data.id).addr: name for name, data in axes.items()}
 
 
 def _check_kind(data, name: str, shape: tuple, kind) -> None:
