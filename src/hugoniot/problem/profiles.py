@@ -36,7 +36,8 @@ _ENTRY = WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}, {"typ
 class ProfileTable(Table):
     """A state that varies along a region: expressions in x, or arrays over positions, or a file of columns."""
 
-    file: str | None = Field(None, max_length=1000, description="file beside the deck, columns such as position [mm], velocity [m/s]")
+    file: str | None = Field(
+        None, max_length=1000, description="file beside the deck, up to 150 000 lines, columns such as position [mm], velocity [m/s]")
     positions: list[Any] | None = Field(None, max_length=LONGEST, description="increasing positions of the arrays")
     velocity: Annotated[Any, _ENTRY] = Field(None, description="expression in x, or an array over positions")
     density: Annotated[Any, _ENTRY] = Field(None, description="the same for the density")
