@@ -351,6 +351,13 @@ def test_the_deck_of_a_run_with_the_longest_profiles_can_be_read(tmp_path, monke
         read_deck(tmp_path / "deck.toml")
 
 
+def test_a_profile_of_a_file_resolves_to_arrays_that_resolve_to_themselves(tmp_path):
+    (tmp_path / "points.csv").write_text("position [mm],pressure [MPa],density [g/cm^3],velocity [m/s]\n0,1,2.701,3\n2,1,2.702,4\n")
+    (tmp_path / "deck.toml").write_text(profiled('file = "points.csv"'))
+    deck = read_deck(tmp_path / "deck.toml")
+    assert read_deck_text(deck.resolved).resolved == deck.resolved and "positions = [0.0, 0.002]" in deck.resolved
+
+
 def test_the_numbers_of_a_column_are_read_as_those_of_a_deck():
     values = [0.1, 1e-7, 3.0, 123456.789e-3, 7e22, *np.random.default_rng(1).uniform(0.0, 10.0, 200)]
     for name, unit in (("mm", "m"), ("g/cm^3", "kg/m^3"), ("GPa", "Pa"), ("inch", "m"), ("degC", "K"), ("", "m")):

@@ -183,7 +183,7 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
     if places is None or not columns:
         collector.add(path, "needs a column 'position' and at least one other", "such as: position [mm], velocity [m/s]")
         return None
-    return Profile(places, tuple(columns.items()))
+    return Profile(places, tuple((name, columns[name]) for name in UNITS if name in columns))      # the order of arrays in a deck
 
 
 def size_of(profile: Profile | None) -> int:
