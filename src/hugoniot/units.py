@@ -110,7 +110,12 @@ def parse_all(values: Iterable[float], name: str, unit: str) -> list[float]:
         return finite
     example = f"{finite[0] if finite else 1.0!r} {name}"
     factor, offset = _of_kind(_split(example, unit)[1], unit, example)
-    return [_to_float(repr(value), factor, offset, f"{value!r} {name}") for value in finite]
+    with localcontext(prec=60):
+        found = [float(Decimal(repr(value)) * factor + offset) for value in finite]
+    for value, result in zip(finite, found):
+        if result == 0.0 or not math.isfinite(result):
+            _to_float(repr(value), factor, offset, f"{value!r} {name}")     # says what is wrong with it, if anything is
+    return found
 
 
 def _of_kind(name: str, unit: str, text: str) -> tuple[Decimal, Decimal]:
