@@ -13,6 +13,7 @@ from solver_decks import DECKS
 
 from hugoniot import simulate
 from hugoniot.errors import FileTrouble, HugoniotError
+from hugoniot.files import Hdf5Texts, hdf5_texts_end
 from hugoniot.output.run import load
 from hugoniot.output.seal import sealed_json
 from hugoniot.problem import catalogue
@@ -118,3 +119,25 @@ def test_a_gauge_column_that_is_gone_is_named(solved, tmp_path):
     for words in (("info", tmp_path / "run"), ("plot", tmp_path / "run", "gauge"), ("report", tmp_path / "run"), ("compare", tmp_path / "run", solved("line"))):
         code, err = told(*words)
         assert code == 4 and "gauges: has no column 'velocity'" in err
+
+
+def test_texts_without_an_end_are_not_begun_with(solved, tmp_path):
+    """HDF5 goes from an object of size 0 to itself for ever."""
+    folder = shutil.copytree(solved("line"), tmp_path / "run")
+    data = bytearray((folder / "result.h5").read_bytes())
+    heap = data.find(b"GCOL\x01")
+    data[heap + 16:heap + 18], data[heap + 24:heap + 32] = bytes(2), bytes(8)
+    (folder / "result.h5").write_bytes(data)
+    sign(folder, load(solved("line")).summary)
+    code, err = told("info", folder)
+    assert heap > 0 and code == 4 and "its strings are not terminated" in err
+
+
+def test_a_file_is_looked_through_in_pieces(tmp_path):
+    """Mapped as a whole, a result of 14 GB took as much memory."""
+    texts, data = Hdf5Texts(), b"GCOL\x01".rjust(100, b"-") + (4096).to_bytes(11, "big") + bytes(5000)
+    assert data.find(b"GCOL") == 95
+    for piece in (data[:97], data[97:98], data[98:]):
+        texts.feed(piece)
+    (tmp_path / "file").write_bytes(data.replace((4096).to_bytes(11, "big"), bytes(3) + (4096).to_bytes(8, "little")))
+    assert texts._places == [95] and not texts.end(tmp_path / "file") and not hdf5_texts_end(tmp_path / "file")

@@ -17,7 +17,7 @@ import numpy as np
 
 from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.errors import FileTrouble
-from hugoniot.files import hdf5_texts_end, read_regular, read_text
+from hugoniot.files import Hdf5Texts, hdf5_texts_end, read_regular, read_text
 from hugoniot.output.atomic import digest, legible
 from hugoniot.output.codec import decode
 from hugoniot.output.hdf5 import h5py
@@ -26,6 +26,7 @@ from hugoniot.output.result_layout import Misfit, described
 from hugoniot.output.seal import MARK, intact, read_sealed
 from hugoniot.output.setup_layout import wrong_setup, wrong_summary
 
+_ENDLESS = "cannot be read as a result (its strings are not terminated)"
 GROUPS = ("snapshots", "gauges", "budget", "peaks", "events")
 
 
@@ -126,9 +127,10 @@ class Run:
             state = now.st_ino, now.st_size, now.st_mtime_ns
             if state == self._looked_at.get(name):
                 return
-            found = digest(path).sha256
-            if name == "result.h5" and found == wanted:
-                _check_texts(path)
+            texts = Hdf5Texts()
+            found = digest(path, texts.feed if name == "result.h5" else None).sha256
+            if found == wanted and not texts.end(path):
+                raise FileTrouble(f"{path}: {_ENDLESS}")
         if found != wanted:
             raise FileTrouble(f"{path}: changed since the run ended (its SHA-256 does not agree with summary.json), so it is not read; "
                               f"what can still be read: `hugoniot info {shlex.quote(str(self.folder))} --verify`")
@@ -138,8 +140,8 @@ class Run:
         path = self.folder / "result.h5"
         self._check("result.h5")
         try:
-            if self.partial:
-                _check_texts(path)
+            if self.partial and not hdf5_texts_end(path):
+                raise FileTrouble(f"{path}: {_ENDLESS}")
             return h5py().File(path, "r")
         except FileTrouble:
             raise
@@ -277,12 +279,6 @@ def _whatever(data: bytes) -> dict:
     except (ValueError, RecursionError):
         document = {}
     return {"title": "?", "status": "damaged", "solver": "?", "version": "?", **(document if isinstance(document, dict) else {})}
-
-
-def _check_texts(path: pathlib.Path) -> None:
-    """Raise `FileTrouble` for a file whose texts HDF5 would read without end."""
-    if not hdf5_texts_end(path):
-        raise FileTrouble(f"{path}: cannot be read as a result (its strings are not terminated)")
 
 
 def _what_is_there(folder: pathlib.Path) -> str:
