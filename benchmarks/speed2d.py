@@ -2,13 +2,18 @@
 """Rate of the two-dimensional solver beside the C yardstick (scheme B, 2-D quadrilaterals with strength), in one run.
 
     python benchmarks/speed2d.py PATH/TO/yardstick.py [zones per side]
+    python benchmarks/speed2d.py threads [zones per side]
 
-Prints M zone-updates/s of one core for both, and their ratio; only the ratio means anything, machines differ and are noisy.
+The first prints M zone-updates/s of one core for both, and their ratio; only the ratio means anything, machines differ and are noisy.
+The second prints how much faster two threads are than one, taking turns: the median and the extremes of fifteen marches. It needs a
+machine that does nothing else, since a team of threads gives way to other processes.
 """
 
 import importlib.util
+import statistics
 import sys
 import time
+from dataclasses import replace
 
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
@@ -18,14 +23,30 @@ from hugoniot.problem.plane.model import Block2D, Boundary2D, Problem2D, Velocit
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
 
 
-def plate(n):
+def plate(n, threads=1):
     """A square of aluminium that runs into a wall."""
     material = Material("al", MieGruneisen(2700.0, 5200.0, 1.5, 2.0), PerfectlyPlastic(24.8e9, 0.30e9))
     block = Block2D("b", "al", Box((0.0, 1.0), (0.0, 1.0)), (n, n), velocity=VelocityField(base=(0.0, -300.0)))
-    return Problem2D("bench", "plane", 1.0, (block,), {"al": material}, (Boundary2D(("b.bottom",), "wall"),))
+    problem = Problem2D("bench", "plane", 1.0, (block,), {"al": material}, (Boundary2D(("b.bottom",), "wall"),))
+    return replace(problem, solver=replace(problem.solver, threads=threads))
+
+
+def compare_threads(n):
+    """Print how much faster two threads are than one."""
+    steps, solvers, ratios = 4_000_000 // n**2, [Lagrange2D(plate(n, threads)) for threads in (1, 2)], []
+    for turn in range(16):
+        spent = []
+        for solver in solvers:
+            begun = time.perf_counter()
+            solver.march(1.0, steps)
+            spent.append(time.perf_counter() - begun)
+        ratios += [spent[0] / spent[1]] if turn else []
+    print(f"{n} x {n}: two threads are {statistics.median(ratios):.2f} times as fast as one ({min(ratios):.2f} to {max(ratios):.2f})")
 
 
 def main():
+    if sys.argv[1] == "threads":
+        return compare_threads(int(sys.argv[2]) if len(sys.argv) > 2 else 256)
     spec = importlib.util.spec_from_file_location("yardstick", sys.argv[1])
     yardstick = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(yardstick)

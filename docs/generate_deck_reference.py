@@ -13,25 +13,28 @@ from hugoniot.problem.solver_kinds import available_solvers, solver_module
 INTRODUCTION = """\
 # Deck reference
 
-A deck is a [TOML](https://toml.io) file. A quantity is a text with a unit, such as `"3.94 km/s"`; a bare number is SI.
+A deck is a [TOML](https://toml.io) file. A quantity is a string with a unit, such as `"3.94 km/s"`; a bare number is SI.
 Unknown keys are errors, and all errors are reported together. `hugoniot check DECK` reads a deck without running it,
-`hugoniot check DECK --resolved` prints it with every default written out, `hugoniot init --schema` writes the JSON Schema for editors.
+`hugoniot check DECK --resolved` prints it with every default written out, and `hugoniot init --schema` writes the JSON Schema for editors.
 
 This page is generated from the schema.
 """
 MATERIALS = """\
 ## Materials and laws
 
-A region's `material` is a table of the deck or a name of the library. `base = "copper"` starts from a material of the library:
-a law table without `law`, or with the same law, replaces single numbers, one with another law replaces the law, and
-`fracture = "none"` removes it. `sources` and `valid_up_to` say where the numbers come from and how far they reach.
+A region's `material` is a table of the deck or a name from the library. `base = "copper"` starts from a material of the library:
+a law table without `law`, or with the same law, replaces single numbers; a table with another law replaces the whole law;
+`fracture = "none"` removes the fracture law.
+`sources` and `valid_up_to` say where the numbers come from and up to which particle velocity they hold.
 """
 BOUNDARIES = """\
 ## Boundaries
 
-`left` and `right` are `"free"`, `"fixed"`, `"transmitting"`, `{velocity = ...}` or `{pressure = ...}`. The value is a quantity, a table
-`{times = [...], values = [...]}` (linear between, held outside), or a pulse `{shape = ..., amplitude = ..., duration = ..., start = ...}`
-with the shape `exponential`, `half_sine`, `square` or `ramp`. At the axis or origin of curved geometry nothing need be said.
+`left` and `right` are `"free"`, `"fixed"`, `"transmitting"`, `"periodic"` (both ends), `{velocity = ...}` or `{pressure = ...}`.
+The value is a quantity, a table
+`{times = [...], values = [...]}` (linear between the times, constant outside them),
+or a pulse `{shape = ..., amplitude = ..., duration = ..., start = ...}`
+with the shape `exponential`, `half_sine`, `square` or `ramp`. At the axis or origin of curved geometry nothing needs to be given.
 
 In two dimensions `[[boundary]]` names chains of edges (`on = "bar.bottom"`), their `kind`, and `velocity` or `pressure` in the same forms.
 """
@@ -65,7 +68,7 @@ def keys(schema: dict) -> str:
     required = set(schema.get("required", ()))
     rows = []
     for name, entry in schema["properties"].items():
-        default = "needed" if name in required else "" if entry.get("default") in (None, "") else f"`{entry['default']}`".lower()
+        default = "required" if name in required else "" if entry.get("default") in (None, "") else f"`{entry['default']}`".lower()
         rows.append([f"`{name}`", kind_of(entry), default, entry.get("description", "")])
     return table(["key", "takes", "default", "meaning"], rows)
 
@@ -104,7 +107,7 @@ def law_section(family: str, registry) -> str:
         text.append(f'#### law = "{name}"\n\n{law.summary}\n\nSource: {"; ".join(law.references)}.\n')
         rows = []
         for n in names:
-            default = "needed" if n in required else shown_default(law, n)
+            default = "required" if n in required else shown_default(law, n)
             rows.append([f"`{n}`", law.units.get(n, "1"), default, law.meaning.get(n, "")])
         text.append(table(["parameter", "unit", "default", "meaning"], rows) if rows else "It has no parameters.\n")
     return "\n".join(text)

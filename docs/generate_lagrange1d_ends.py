@@ -35,7 +35,7 @@ def spall() -> list[str]:
             rows.append([f"{zones}", f"{courant}", ", ".join(f"{1e3 * place:.3f}" for place in places),
                          f"{last['2 mm into target']:.0f} m/s", f"{last['free surface']:.0f} m/s"])
     heads = ("zones in the flyer", "Courant number", "voids open at, mm", "fragment", "free surface")
-    return ["Voids of the reference flyer (`hugoniot init flyer`), and velocities at the end, of the fragment between the two voids "
+    return ["Voids of the reference flyer (`hugoniot init flyer`), and final velocities of the fragment between the two voids "
             "(gauge 2 mm into the target) and of the free surface:", "", *table(heads, rows), *readings(), *gradients()]
 
 
@@ -49,8 +49,10 @@ def readings() -> list[str]:
             found = spall_numbers(done(Problem("plates", "planar", 2.6e-6, regions, {"m": material}, gauges=(Gauge("surface", 4e-3),))))
             row += [f"{found[f'spall_strength_{kind}'] / 1e9:.2f} GPa" for kind in shown]
         rows.append(row)
-    return ["Spall strength read behind a square pulse: aluminium, plates of 2 and 4 mm at 300 m/s, strength put in 1 GPa.", "",
-            *table(("zones in the flyer", "without strength", "yield stress 0.3 GPa", "with Kanel's correction"), rows)]
+    return ["Spall strength from the free-surface velocity behind a square pulse: aluminium plates of 2 and 4 mm at 300 m/s, prescribed "
+            "spall strength 1 GPa.", "",
+            *table(("zones in the flyer", "without shear strength", "yield stress 0.3 GPa",
+                    "yield stress 0.3 GPa, with Kanel's correction"), rows)]
 
 
 def gradients() -> list[str]:
@@ -64,7 +66,7 @@ def gradients() -> list[str]:
         layer = solver.zones[Z.mass, solver.segments[-1, SEG_FIRST]:].sum() / ALUMINIUM.rho0
         rows.append([f"{1e6 * width / zones:.0f} µm", f"{1e3 * layer:.3f} mm"])
     return ["Fracture law `stress_gradient`, a triangular pulse of 1 GPa and 2.6 mm that should spall 0.5 mm from the surface:", "",
-            *table(("zones", "spalled layer"), rows)]
+            *table(("zone size", "thickness of the spalled layer"), rows)]
 
 
 # -- liquid against gas ------------------------------------------------------------------------------------------------------
@@ -74,9 +76,9 @@ def liquid() -> list[str]:
                                   (400, 3.0, "three times finer at the contact"), (400, 10.0, "ten times finer")):
         miss, part = liquid_miss(zones, grading)
         rows.append([f"{zones}, {words}", percent(miss), f"{miss * part:.0e}"])
-    return [r"Liquid at 200 MPa ($\gamma$ = 4.4, $p_\infty$ = 600 MPa, 0.7 m) against a gas at 0.2 MPa (0.3 m), after 0.24 ms: error of "
-            "the mean pressure in the middle fifth of the plateau between fan and contact.", "",
-            *table(("zones", "of the plateau", "of the drop"), rows)]
+    return [r"Liquid at 200 MPa ($\gamma$ = 4.4, $p_\infty$ = 600 MPa, 0.7 m) against a gas at 0.2 MPa (0.3 m), after 0.24 ms. The error "
+            "is that of the mean pressure in the middle fifth of the plateau between fan and contact.", "",
+            *table(("zones", "error relative to the plateau", "relative to the pressure drop"), rows)]
 
 
 def liquid_miss(zones: int, grading: float) -> tuple[float, float]:
@@ -103,15 +105,16 @@ def ends() -> list[str]:
     curved = [[f"{geometry}, {words}", *(echo(material, pressure, "compatible", geometry, shape) for shape, pressure in (
                ("half_sine", 1e8), ("square", 5e9), ("square", 20e9), ("square", 50e9), ("constant", 50e9)))]
               for geometry in ("cylindrical", "spherical") for words, material in kinds.items()]
-    return ["Largest difference in stress from an unbounded body, in all zones but the last ten, over the largest stress that arrives. LiF "
-            "($c_0$ = 5150 m/s, $s$ = 1.35; with $G$ = 49 GPa, $Y$ = 0.36 GPa), square pulses of 0.4 µs (with strength up to 5 GPa: 1 µs) "
-            "into 150 zones of 50 µm:", "", *table(("", "2 GPa", "5 GPa", "20 GPa", "50 GPa"), plane),
-            "In curved geometry, pulses of 0.4 µs on a cavity of 5 mm radius, `compatible`:", "",
-            *table(("", "half sine of 0.1 GPa", "square, 5 GPa", "20 GPa", "50 GPa", "50 GPa, sustained"), curved)]
+    return ["Largest difference in stress from a body without that end, in all zones but the last ten, relative to the largest stress that "
+            "arrives at the end. The material is LiF ($c_0$ = 5150 m/s, $s$ = 1.35; where it has strength $G$ = 49 GPa, $Y$ = 0.36 GPa). "
+            "Square pulses of 0.4 µs (with strength up to 5 GPa: 1 µs) enter 150 zones of 50 µm:", "",
+            *table(("material, integrator", "2 GPa", "5 GPa", "20 GPa", "50 GPa"), plane),
+            "In curved geometry, pulses of 0.4 µs on the wall of a cavity of 5 mm radius, `compatible`:", "",
+            *table(("geometry, material", "half sine of 0.1 GPa", "square, 5 GPa", "20 GPa", "50 GPa", "50 GPa, sustained"), curved)]
 
 
 def echo(material: Material, pressure: float, integrator: str, geometry: str = "planar", shape: str = "square") -> str:
-    """The part of a wave that a transmitting end sends back, as the table shows it."""
+    """The fraction of a wave that a transmitting end reflects, as the table shows it."""
     zones, length, step = 150, 7.5e-3, 0.2 * 50e-6 / 9000.0        # both bodies take the same steps
     start, stop = (0.0, 3e-6) if geometry == "planar" else (5e-3, 4e-6)
     duration = 1e-6 if material.strength and pressure <= 5e9 and geometry == "planar" else 0.4e-6

@@ -25,7 +25,7 @@ SMALL = ("limited", {"linear": 0.3})      # c1 alone: `linear_condensed` follows
 FLUORIDE = MieGruneisen(2640.0, 5150.0, 1.35, 1.6)
 METALS = ("copper", "iron", "aluminum_6061", "tantalum", "steel_304", "tungsten", "nickel")
 THICK, ZONES = 5e-3, 100
-IMPACT = "Symmetric impact of plates of 5 mm, 100 zones each"
+IMPACT = "Symmetric impact of 5 mm plates, 100 zones each"
 
 
 def table(heads, rows) -> list[str]:
@@ -81,10 +81,12 @@ def fluids() -> list[str]:
                         percent(surface_excess(run))]
                 cycles.append(run.summary["cycles"])
             rows.append([f"{name}, {speed:.0f} m/s", *row, f"{cycles[0] / cycles[1]:.1f}"])
-    return [f"{IMPACT}, without strength. Inside: largest stress half a millimetre from the impact above the exact plateau; first zones: "
-            "the same in the two zones of the target at the impact; surface: largest velocity of the free surface above that at the end. "
-            "Courant number 0.7 in all.", "",
-            *table(("", "inside", "first zones", "surface", "coefficient 0.3: inside", "first zones", "surface", "ratio of steps"), rows)]
+    return [f'{IMPACT}, without strength; Courant number 0.7. "Inside" is the excess of the largest stress over the exact plateau half a '
+            'millimetre from the impact face, "first zones" the same in the first two zones of the target. "Surface" is the excess of the '
+            "largest velocity of the free surface over the final one. The last column is the number of steps with the default relative to "
+            "that with a linear coefficient of 0.3.", "",
+            *table(("impact", "inside", "first zones", "surface", "coefficient 0.3: inside", "first zones", "surface", "ratio of steps"),
+                   rows)]
 
 
 def solids() -> list[str]:
@@ -101,9 +103,10 @@ def solids() -> list[str]:
                 rises.append(rise(run, level))
         widths += [wide / thin for wide, thin in zip(rises[:3], rises[3:])]
         rows.append([name, *row, ", ".join(firsts[:3]) + " %"])
-    return [f"{IMPACT}, of library materials. Largest velocity of the free surface above that at the end; in the last column the overshoot "
-            "of the stress in the two zones at the impact at the three velocities. Courant number 0.7 in all.", "",
-            *table(("", "500 m/s", "1000 m/s", "2000 m/s", "$c_1$ alone: 500 m/s", "1000 m/s", "2000 m/s", "first zones"), rows),
+    return [f"{IMPACT}, of library materials; Courant number 0.7. The table gives the excess of the largest velocity of the free surface "
+            "over the final one. The last column gives the overshoot of the stress in the first two zones of the target at the three "
+            "impact velocities.", "",
+            *table(("material", "500 m/s", "1000 m/s", "2000 m/s", "$c_1$ alone: 500 m/s", "1000 m/s", "2000 m/s", "first zones"), rows),
             f"Plastic shocks (from 50 to 90 % of the stress) are {min(widths):.1f} to {max(widths):.1f} times as wide as with $c_1$ alone.",
             "", *limits()]
 
@@ -124,7 +127,8 @@ def limits() -> list[str]:
             found = run_problem(STANDARD["aluminium_piston"], zones, viscosity=viscosity, courant=0.7)[0].state()
             row.append(percent(abs(np.interp(measure.window[0], found.position_middle, found.zones["stress"]) / measure.exact - 1)))
         rows.append(row)
-    return ["Error of the elastic limit of `aluminium_piston`:", "", *table(("zones", "default", "$c_1$ alone"), rows)]
+    return ["Error of the stress behind the elastic precursor in `aluminium_piston`:", "",
+            *table(("zones", "default", "$c_1$ alone"), rows)]
 
 
 def limit_of(name: str):
@@ -147,9 +151,9 @@ def shocks() -> list[str]:
         places = [crossing(f, ahead + part * (level - ahead), front) for part in (0.9, 0.1)]
         rows.append([words, f"{places[1] - places[0]:.1f}", percent(max(f[front - 20:].max() / level - 1, 0.0)),
                      f"{100 * np.std(f[:front - 20]) / level:.3f} %"])
-    return ["300 zones. Width of the shock between 10 and 90 % of its height (the plastic shock: above the elastic limit), largest value "
-            "in the 20 zones behind it, and root mean square of the ripples farther behind.", "",
-            *table(("", "width, zones", "overshoot", "ripples"), rows)]
+    return ["Runs on 300 zones. The width of the shock is taken between 10 and 90 % of its height (of a plastic shock: the height above "
+            "the elastic limit), the overshoot in the 20 zones behind it, and the root mean square of the ripples farther behind.", "",
+            *table(("problem", "width, zones", "overshoot", "ripples"), rows)]
 
 
 def crossing(values, level, near) -> float:
@@ -174,8 +178,9 @@ def steps() -> list[str]:
     for courant in (0.5, 0.6, 0.7, 0.8, 0.9):
         run = done(flyer(solver__courant=courant, stop_time=0.5e-6))
         rows.append([f"{courant}", percent(highest(run)["stress"] / exact - 1), f"{run.summary['cycles']}"])
-    return ["Highest stress of the reference flyer (`hugoniot init flyer`), without the first twelve zones at the impact, above the exact "
-            f"plateau of {exact / 1e9:.4f} GPa:", "", *table(("Courant number", "highest stress", "cycles to 0.5 µs"), rows), *burning()]
+    return ["Excess of the highest stress of the reference flyer (`hugoniot init flyer`) over the exact plateau of "
+            f"{exact / 1e9:.4f} GPa, without the first twelve zones at the impact face:", "",
+            *table(("Courant number", "excess", "cycles to 0.5 µs"), rows), *burning()]
 
 
 def burning() -> list[str]:
@@ -187,5 +192,6 @@ def burning() -> list[str]:
                                  lighting=(Lighting(0.0),), solver=SolverOptions(courant=courant)))
         highest_pressure = float(solver.state().zones["pressure"].max())
         rows.append([f"{courant}", f"{highest_pressure / 1e9:.2f} GPa", percent(highest_pressure / front.state.pressure - 1)])
-    return ["Highest pressure in the profile of Composition B, 4 cm of 0.1 mm zones burned on schedule from a wall, at the end "
-            f"(CJ pressure {front.state.pressure / 1e9:.2f} GPa):", "", *table(("Courant number", "highest pressure", "above CJ"), rows)]
+    return ["Highest pressure of the profile in Composition B when a programmed front from a wall has run through 4 cm of 0.1 mm zones "
+            f"(CJ pressure {front.state.pressure / 1e9:.2f} GPa):", "",
+            *table(("Courant number", "highest pressure", "relative to CJ"), rows)]

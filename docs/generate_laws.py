@@ -46,12 +46,12 @@ TARGET = Path(__file__).parent / "generated" / "laws"
 HEADS = {
     "eos": (EOS, "Equations of state", "`[material.NAME.eos] law = ...`. State is density and specific internal energy."),
     "strength": (STRENGTH, "Strength", "`[material.NAME.strength] law = ...`: shear modulus and flow stress."),
-    "fracture": (FRACTURE, "Fracture", "`[material.NAME.fracture] law = ...`: when a material fails in tension, and the largest tension."),
+    "fracture": (FRACTURE, "Fracture", "`[material.NAME.fracture] law = ...`: failure in tension, and the tension a material supports."),
     "viscosity": (VISCOSITY, "Artificial viscosity", "`[solver.viscosity] law = ...`: $q = \\rho|\\Delta u|w$ in compression."),
-    "burn": (BURN, "Burning", "Rates at which an explosive becomes products, by schedule or by state."),
-    "mixture": (MIXTURE, "Mixtures", "How reactants and products share a zone; see [the theory](../../theory/mixtures.md)."),
-    "transport": (TRANSPORT, "Physical viscosity", "Shear viscosity of a fluid in the structure of a shock."),
-    "conduction": (CONDUCTION, "Heat conduction", "Heat conductivity of a fluid in the structure of a shock."),
+    "burn": (BURN, "Burning", "How an explosive burns to products: by a schedule, or at a rate that depends on the state."),
+    "mixture": (MIXTURE, "Mixtures", "The state of reactants and products in one zone; see [the theory](../../theory/mixtures.md)."),
+    "transport": (TRANSPORT, "Physical viscosity", "Shear viscosity of a fluid, for the structure of a shock and for `lagrange1d`."),
+    "conduction": (CONDUCTION, "Heat conduction", "Heat conductivity of a material, for the structure of a shock and for `lagrange1d`."),
 }
 
 
@@ -70,12 +70,12 @@ def table(heads, rows) -> list[str]:
 
 
 def parameters(law) -> list[str]:
-    """Parameters a deck gives, with units, defaults and meaning."""
+    """Parameters in a deck, with units, defaults and meaning."""
     names, needed = accepted(law)
     rows = []
     for name in names:
         default = law.defaults.get(name)
-        shown = "needed" if name in needed else "optional" if default is None or default != default else f"`{default}`"
+        shown = "required" if name in needed else "optional" if default is None or default != default else f"`{default}`"
         rows.append((f"`{name}`", cell(law.units.get(name, "1")) or "law", shown, cell(law.meaning.get(name, ""))))
     return table(["parameter", "unit", "default", "meaning"], rows) if rows else ["It has no parameters.", ""]
 
@@ -100,7 +100,7 @@ def limits(law) -> list[str]:
     if np.isfinite(fastest):
         words.append(f", for shocks from rest up to a particle velocity of {fastest:.5g} m/s")
     if "energy_limits" in law.functions:
-        words.append(", and for the energies that its rows hold")
+        words.append(", and for the energies in its table")
     words.append(", where the sound speed is real ($c^2 > 0$); a state outside is refused with an error that states the limit. ")
     if has_temperature(par):
         words.append("It has a temperature and an entropy." if gives(par, "entropy") else "It has a temperature, but no entropy.")
@@ -110,7 +110,7 @@ def limits(law) -> list[str]:
 
 
 def quantity(value: float, unit: str) -> str:
-    """A value with its unit, in the larger unit people use where that loses nothing."""
+    """A value with its unit, in a larger common unit where no digits are lost."""
     shown = format_si(value, unit, 8)
     return shown if "kg/m3" not in shown and parse(shown, unit) == value else f"{value:.10g} {unit}"
 
@@ -222,7 +222,7 @@ def lines_of_energy(law, ax) -> None:
     else:
         label_lines(ax, names, [p[-1] * factor for p in lines], COLOURS)
     ax.set(xlabel="density (g/cm³)", ylabel=f"pressure ({unit})")
-    ax.set_title("at constant energy" + ("; dashed: the law inside" if inner is not None else ""), loc="left", color=QUIET, fontsize=8.5)
+    ax.set_title("at constant energy" + ("; dashed: the base law" if inner is not None else ""), loc="left", color=QUIET, fontsize=8.5)
 
 
 def crushing(law, ax) -> None:
@@ -241,10 +241,10 @@ def crushing(law, ax) -> None:
     beyond = np.linspace(solid, rho[-1], 50)
     ax.plot(beyond * 1e-3, [pressure(r, e, par.base) * 1e-9 for r in beyond.tolist()], color=QUIET, lw=0.9, ls=(0, (3, 2)))
     ax.set(xlabel="density (g/cm³)", ylabel="pressure (GPa)", ylim=(0.0, 1.6e-9 * float(np.interp(solid, rho, p))))
-    words = (("first loading", COLOURS[0]), ("release, and loading again", COLOURS[1]), ("dashed: the solid", QUIET))
+    words = (("first loading", COLOURS[0]), ("unloading and reloading", COLOURS[1]), ("dashed: the solid", QUIET))
     for k, (text, colour) in enumerate(words):
         ax.annotate(text, (0.03, 0.97 - 0.085 * k), xycoords="axes fraction", va="top", color=colour, fontsize=8.5)
-    ax.set_title("at the energy of rest", loc="left", color=QUIET, fontsize=8.5)
+    ax.set_title("at the reference energy", loc="left", color=QUIET, fontsize=8.5)
 
 
 def draw(law, target: Path) -> str:
@@ -278,7 +278,7 @@ def draw(law, target: Path) -> str:
                 inner = curve(law.example.base, up_to=0.999 * end_inside(law))
                 up = inner.particle_velocity * (1e-3 if fast else 1.0)
                 ax.plot(up, inner.pressure * factor, color=COLOURS[0], ls=(0, (3, 2)), lw=0.8)
-                words = "Hugoniot from rest; dashed: the law inside, to its end"
+                words = "Hugoniot from rest; dashed: the base law, to its limit"
             ax.set_title(words, loc="left", color=QUIET, fontsize=8.5)
         ax.get_figure().savefig(target / f"{law.name}.png")
     return f"{law.name}.png"

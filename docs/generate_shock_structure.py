@@ -63,12 +63,12 @@ def matrix() -> list[str]:
                     row.append(f"({notes.index(shown) + 1})")
             rows.append([f"`{law.name}`", conduction, *row])
     count = len(rows) * len(MACHS)
-    text = [f"Density thickness in units of (4/3) μ / (ρ₁u₁), with constant viscosity, without conduction or with Prandtl number 1, from "
-            f"the reference state of each law's example: {found} of {count} have a shock; the others are rejected, with these messages:",
-            ""]
+    text = [f"Density thickness in units of (4/3) μ / (ρ₁u₁) with constant viscosity, without heat conduction or with a Prandtl number of "
+            f"1. The state ahead is the reference state of each law's example. Of {count} cases {found} have a shock; the others are "
+            "rejected with the following messages, to which the numbers in brackets refer:", ""]
     text += [f"{i + 1}. {words}" for i, words in enumerate(notes)]
-    return [*text, "", f"Longest: {max(times):.2f} s; all {count}: {sum(times):.0f} s.", "",
-            *table(("law", "conduction", *(f"Mach {m:g}" for m in MACHS)), rows)]
+    return [*text, "", f"CPU time of the slowest case: {max(times):.2f} s; of all {count}: {sum(times):.0f} s.", "",
+            *table(("law", "heat conduction", *(f"Mach {m:g}" for m in MACHS)), rows)]
 
 
 # -- orders ------------------------------------------------------------------------------------------------------------
@@ -139,10 +139,10 @@ def resolutions() -> list[str]:
                 found = thickness_by_differences(solver.h, solver.cells[0], *solver.ends[:, 0]) / path
                 row.append(f"{found:.3g}; {printed}")
             rows.append([block.replace("_", " "), f"{mach:g}", *row, f"{true / path:.4g}"])
-    return ["Density thickness by Jordan eq. 6.2.5 in the mean free paths of each block of the table, for runs started from a step; the "
-            f"column head N means cells of 300/N mean free paths; after the semicolon, the value printed in table 6.2.1.1. "
-            f"Ours end once a thickness spans {ENOUGH} cells. The entropy rise in a conservative scheme is that of the jump on every grid; "
-            "the source's, an integral of its profile, is not:", "",
+    return ["Density thickness by Jordan eq. 6.2.5, in units of the mean free path of each block of table 6.2.1.1, for runs started from a "
+            "step. In the column headed N the cells are 300/N mean free paths wide. Before the semicolon is our value, after it the value "
+            f"printed in the table. Our runs end once a thickness spans {ENOUGH} cells. In a conservative scheme the entropy rise is that "
+            "of the jump on every grid; in the source, where it is an integral over the profile, it is not:", "",
             *table(("viscosity", "Mach", *map(str, CELLS_OF_300), "steady"), rows)]
 
 
@@ -199,11 +199,11 @@ def spacings() -> list[str]:
         schemes.append([label, *(f"{f * 1e9:.3g} nm, {f / case.spacing:.2g} cells" for f in found),
                         f"{case.printed[0] * 1e9:.0f} nm, {case.printed[0] / case.spacing:.0f} cells"])
     return ["Thickness, nm, by Jordan eq. 6.2.5 on 600 cells of the spacing given in the column heading:", "",
-            *table(("", *(f"{s * 1e9:.3g} nm" for s in WATER_SPACINGS), "steady"), rows),
-            "The same on Jordan's own spacings by three schemes: ours; ours to first order (local Lax-Friedrichs); and the central "
+            *table(("shock", *(f"{s * 1e9:.3g} nm" for s in WATER_SPACINGS), "steady"), rows),
+            "Thickness on Jordan's own spacings by three schemes: ours; ours at first order (local Lax-Friedrichs); and the central "
             "differences of Jordan's section 2.4.1, five sound-crossing times of a cell after the start, before ripples "
             "steepen the front further:", "",
-            *table(("", "ours", "first order", "central differences", "Jordan prints"), schemes)]
+            *table(("shock", "ours", "first order", "central differences", "Jordan prints"), schemes)]
 
 
 # -- speed -----------------------------------------------------------------------------------------------------------------
@@ -235,7 +235,7 @@ def speed() -> list[str]:
     rows[-1][0] = (f"transient, argon, Mach 9 from a step, 10 cells in the thickness: {len(solver.region_of)} cells, {solver.cycle} steps, "
                    f"{solver.zone_updates / 1e6:.2g} million cell updates; {100 * error:.2g} % from the steady thickness")
     share = 5e7 * 19200 / solver.zone_updates
-    return [*table(("", "CPU time, s"), rows),
+    return [*table(("calculation", "CPU time, s"), rows),
             f"Jordan took 5e7 steps on 19 200 cells, 9.6e11 cell updates, per case: {round(share, -4):,.0f} times as many."]
 
 

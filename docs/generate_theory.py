@@ -1,6 +1,6 @@
 """Writes docs/generated/tools: a page per tool of hugoniot.theory and per exact solution, from their files.
 
-The equations stand once, in the files that compute them; these pages show them with the functions and, for exact solutions, the parameters.
+The equations are stated once, in the files that compute them; the pages add the functions and the parameters of exact solutions.
 """
 
 import importlib
@@ -109,7 +109,7 @@ def parameters(name: str) -> list[str]:
     """Parameters of an exact solution with units and defaults."""
     rows = []
     for word, parameter in inspect.signature(SOLUTIONS[name]).parameters.items():
-        default = "needed" if parameter.default is inspect.Parameter.empty else f"`{parameter.default}`".replace("|", "\\|")
+        default = "required" if parameter.default is inspect.Parameter.empty else f"`{parameter.default}`".replace("|", "\\|")
         rows.append(f"| `{word}` | {parameter_unit(word)} | {default} |")
     return ["| parameter | unit | default |", "|---|---|---|", *rows, ""] if rows else ["It has no parameters.", ""]
 
@@ -132,7 +132,7 @@ def main() -> None:
         (TARGET / "exact" / f"{home.rpartition('.')[2]}.md").write_text(exact(home, names) + "\n", encoding="utf-8")
     rows = [f"| [{title}](tools/{key}.md) | {', '.join(f'`{c}`' for c in commands) or 'Python only'} |"
             for key, (title, _, _, commands) in TOOLS.items()]
-    lines = ["# Tools without a mesh, one by one", "", "Equations, functions and sources of each tool, from the file that computes it.", "",
+    lines = ["# Tools without a mesh, one by one", "", "Equations, functions and sources of each tool, from its source file.", "",
              "| tool | command |", "|---|---|", *rows, "", "```{toctree}", ":hidden:", "", *(f"tools/{key}" for key in TOOLS), "```", ""]
     (TARGET.parent / "tools.md").write_text("\n".join(lines), encoding="utf-8")
     rows = [f"| [{name}](tools/exact/{function.__module__.rpartition('.')[2]}.md) | {describe(name)} |"

@@ -3,8 +3,8 @@ Spalling flyer plate
 ====================
 
 A 2 mm plate of aluminium hits one of 4 mm at 700 m/s. The two releases meet inside the target and pull it apart:
-tension (blue) stops at the spall strength, a void opens, and the free surface that a VISAR watches pulls back and
-rings.
+the tension (blue) is limited by the spall strength, a void opens, and the free surface, as a VISAR would record it, pulls
+back and rings.
 """
 
 import tempfile
@@ -20,7 +20,7 @@ plt.rcParams.update(RC)
 run = hugoniot.run("flyer.toml", Path(tempfile.mkdtemp()) / "flyer.run", report=False)
 
 # %%
-# The wave diagram. Shocks and the elastic waves ahead of them run up and outwards from the impact; white is the opened void.
+# The wave diagram. Shocks and the elastic waves ahead of them run up and outwards from the impact; the white region is the void.
 run.plot.xt("stress")
 
 # %%
@@ -29,7 +29,7 @@ ax = run.plot.free_surface()
 ax.annotate("elastic step", (0.66, 76), xytext=(0.3, 180), arrowprops={"arrowstyle": "-", "lw": 0.7}, fontsize=8.5)
 
 # %%
-# What a spall experiment would conclude, next to the strength that was put in (1.0 GPa) and the largest tension in any zone.
+# The spall strength that an experiment would infer, beside the strength put into the deck (1.0 GPa) and the largest tension in any zone.
 reading = spall_reading(run)
 print(f"pull-back {reading.numbers['pull_back']:.1f} m/s")
 print(f"spall strength, acoustic {reading.numbers['spall_strength_acoustic'] / 1e9:.3f} GPa: {reading.note}")

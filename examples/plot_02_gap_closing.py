@@ -2,9 +2,9 @@
 Three plates and two gaps
 =========================
 
-A flyer crosses 0.5 mm of nothing, hits a plate, which flies on and hits a third. A gap closes exactly on a time step;
-the kinetic energy lost where two bodies join becomes heat of the two zones that meet, so the total is kept to
-round-off.
+A flyer crosses a gap of 0.5 mm and hits a plate, which flies on and hits a third. A gap closes exactly on a time step.
+The kinetic energy lost where two bodies join becomes heat in the two zones that meet, so the total energy is conserved
+to round-off.
 """
 
 import tempfile
@@ -24,8 +24,8 @@ run = hugoniot.run("gap.toml", Path(tempfile.mkdtemp()) / "gap.run", report=Fals
 run.plot.xt("stress")
 
 # %%
-# Mean velocity of every plate. With plates of equal thickness a lossless chain would hand the whole velocity on; strength and
-# the waves that are still inside keep a little back.
+# Mean velocity of every plate. In a lossless chain of equal plates each would pass on its whole velocity; strength and
+# the waves that remain inside hold a little of it back.
 rows = run.arrays("budget")
 mass = [float(run.arrays("snapshots")["mass"][run.arrays("snapshots")["region"] == name].sum()) for name in rows["region"]]
 fig, ax = plt.subplots(figsize=(6.4, 3.4), layout="constrained")

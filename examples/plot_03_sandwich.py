@@ -2,9 +2,9 @@
 Impedance sandwich: PMMA rings up between copper
 ================================================
 
-Copper at 555 m/s on 1 mm of PMMA backed by copper. Every passage of the wave adds a step; the steps are known from
-impedance matching without a mesh, and end at the pressure of copper on copper. Jordan 2011 (figure 4.2.3) has this
-problem.
+Copper at 555 m/s hits 1 mm of PMMA backed by copper. Every passage of the wave adds a step. Impedance matching gives the
+steps without a mesh; they converge to the pressure of copper on copper. The problem is that of figure 4.2.3 in Jordan
+2011.
 """
 
 import tempfile
@@ -21,7 +21,7 @@ plt.rcParams.update(RC)
 run = hugoniot.run("sandwich.toml", Path(tempfile.mkdtemp()) / "sandwich.run", report=False)
 
 # %%
-# The exact steps, from the same constants: first passage, reshock at the back, then to and fro.
+# The exact steps, from the same constants: first passage, reshock at the back, then back and forth.
 copper, pmma = MieGruneisen(8930.0, 3940.0, 1.489, 1.99), MieGruneisen(1186.0, 2598.0, 1.516, 0.97)
 steps = ring_up([copper, pmma, copper], 555.0, bounces=4)
 final = match([copper, copper], 555.0)[0]

@@ -3,8 +3,8 @@ Noh's problem in three geometries
 =================================
 
 Cold gas runs into a wall, an axis or a centre at unit speed; a shock of infinite strength moves outward from it. Behind the shock
-the density is 4, 16 or 64 times the initial one. The dip at the centre is wall heating, which every code with a smeared
-shock shows; the artificial heat flux of the default makes it small in planar flow.
+the density is 4, 16 or 64 times the initial one. The dip at the centre is wall heating, which every code that smears
+shocks shows; the default artificial heat flux makes it small in planar flow.
 """
 
 import tempfile

@@ -22,7 +22,7 @@ exact, rows = sedov(), run.arrays("snapshots")
 centre = 0.5 * (rows["position_left"] + rows["position_right"])
 
 # %%
-# Left: density at three times (dots) and the exact profiles (lines); right the radius of the shock, which grows as t to the power 2/5.
+# Left: density at three times (dots) and the exact profiles (lines). Right: the radius of the shock, which grows as t to the power 2/5.
 fig, (one, two) = plt.subplots(1, 2, figsize=(7.2, 3.2), layout="constrained")
 x = np.linspace(1e-3, 1.15, 3000)
 for k, wanted in enumerate((0.2, 0.5, 1.0)):

@@ -33,7 +33,7 @@ ax.annotate(f"exact: stops at {exact.numbers['stop_radius'] * 100:.3f} cm, {stop
 ax.set(xlabel="time (µs)", ylabel="radius (cm)", xlim=(0, 150), ylim=(4.6, 10.2))
 
 # %%
-# Where the energy goes: kinetic energy becomes plastic work; the elastic part rings a little.
+# Where the energy goes: kinetic energy becomes plastic work; the elastic energy oscillates a little.
 ax = run.plot.budget()
 inner = run.gauge("position", "inner surface")[1].min()
 print(f"inner radius {inner * 100:.3f} cm, exact {exact.numbers['stop_radius'] * 100:.3f} cm")

@@ -2,9 +2,9 @@
 Aluminium: Hugoniot, Rayleigh line and a doubtful extrapolation
 ===============================================================
 
-The picture that the manual of the KB codes draws with KBTView (figure 2.3): pressure against particle velocity up to 30
-km/s, with a marked state, 3401 GPa at 30 km/s. The marked state comes from a table that is not public. A straight Us-up
-line through gun data overshoots it: beyond the range of its data (solid) a fit is an extrapolation (dashed).
+This repeats figure 2.3 of the manual of the KB codes: pressure against particle velocity up to 30 km/s, with a marked
+state of 3401 GPa at 30 km/s, which comes from a table that is not public. A straight Us-up line through gas-gun data
+overshoots it: outside the range of its data (solid line) a fit is an extrapolation (dashed line).
 """
 
 import matplotlib.pyplot as plt
@@ -23,7 +23,7 @@ up, p = reach.particle_velocity / 1e3, reach.pressure / 1e9
 known = up <= limit
 
 # %%
-# Left the range of the table, right that of the data. The slope of a Rayleigh line is the shock impedance, density times
+# Left: the range of the table. Right: the range of the data. The slope of a Rayleigh line is the shock impedance, density times
 # shock velocity.
 fig, (ax, near) = plt.subplots(1, 2, figsize=(7.4, 3.6), layout="constrained", width_ratios=(1.2, 1))
 ax.plot(up[known], p[known], color=COLOURS[0])

@@ -1,10 +1,10 @@
 """
-How far a second shock strays from the principal Hugoniot
-=========================================================
+How far a second shock lies from the principal Hugoniot
+=======================================================
 
 Wilkins, appendix A, with a = 0.73, b = 1.72 and c = 1.60 Mbar. A second shock from mu = 0.10 ends below the principal
-Hugoniot, because it heats less. The source calls the difference one of high order; it is of third order. Its equation A.4, as far as
-it is legible, lies 17 to 21 % too high (W-E1).
+Hugoniot, because it heats less. The source calls the difference one of high order; it is of third order. Equation A.4 of the source, as
+far as it is legible, gives values 17 to 21 % too high (W-E1).
 """
 
 import matplotlib.pyplot as plt

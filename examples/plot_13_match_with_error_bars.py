@@ -2,8 +2,8 @@
 Impedance matching with error bars
 ==================================
 
-Copper at 1000 ± 2 m/s on aluminium. The Hugoniots' constants have standard deviations, and c0 and s of a fit are
-strongly anticorrelated: leaving that out overstates the error. Linear propagation and a Monte Carlo calculation agree.
+Copper at 1000 ± 2 m/s on aluminium. The constants of the Hugoniots have standard deviations, and the c0 and s of a fit are
+strongly anticorrelated: ignoring the correlation overstates the error. Linear propagation and a Monte Carlo calculation agree.
 """
 
 import matplotlib.pyplot as plt
@@ -32,8 +32,8 @@ drawn = propagate(impact, VALUES, SIGMAS, correlation=ANTI, samples=400, seed=1)
 careless = propagate(impact, VALUES, SIGMAS)
 
 # %%
-# Left: the construction in the P-up plane: the target's Hugoniot and the flyer's curve, running back from the impact velocity; in the
-# inset the match with its standard deviations. Right: what the error is made of, the standard deviation that each input would give alone.
+# Left: the construction in the p-up plane, with the target's Hugoniot and the flyer's curve reflected from the impact velocity; the
+# inset shows the match with its standard deviations. Right: the standard deviation that each input would give alone.
 fig, (ax, bars) = plt.subplots(1, 2, figsize=(7.4, 3.5), layout="constrained", width_ratios=(1.25, 1))
 layers = [MieGruneisen(8930.0, 3940.0, 1.489, 1.99), MieGruneisen(2785.0, 5328.0, 1.338, 2.0)]
 impedance_match(layers, 1000.0, match(layers, 1000.0), ax=ax)

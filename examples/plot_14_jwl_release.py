@@ -2,8 +2,8 @@
 Release isentropes of detonation products
 =========================================
 
-The products of an explosive leave the CJ point on an isentrope. Its JWL form has three parts that matter one after
-another: two exponentials while the products push a plate, the ideal-gas tail once they have expanded tenfold.
+The products of an explosive leave the CJ point on an isentrope. Its JWL form has three terms that dominate one after
+another: two exponentials while the products push a plate, and the ideal-gas tail once they have expanded tenfold.
 """
 
 import matplotlib.pyplot as plt

@@ -3,8 +3,8 @@ Cold curves: series of order 3 to 6 against the exact one
 =========================================================
 
 Jordan 2011 expands the cold energy of copper and of porous silica in a power series of the strain. The exact curve is
-an exponential integral, and shows what the series costs: 21 % at a strain of 0.3 for copper at order 3, and never a
-useful number near the compression limit of silica.
+an exponential integral. It shows the error of the series: 21 % at a strain of 0.3 for copper at order 3, and near the
+compression limit of silica no order gives a useful number.
 """
 
 import matplotlib.pyplot as plt

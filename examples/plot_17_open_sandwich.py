@@ -3,8 +3,8 @@ Open sandwich: a plate driven by an explosive, and Gurney
 =========================================================
 
 Composition B, free at its back, throws a plate of copper. Gurney (1943) gives its speed from the masses and one number
-of the explosive, sqrt(2E), assuming that the gas has a linear velocity profile. The same in the hydrocode: the plate's
-momentum over its mass, for plates from a fifth of the charge to five times its mass.
+of the explosive, sqrt(2E), assuming that the gas has a linear velocity profile. The hydrocode gives the same speed as the plate's
+momentum over its mass, for plates from a fifth to five times the mass of the charge.
 """
 
 import tempfile
@@ -40,8 +40,8 @@ def plate(ratio):
 found = {ratio: plate(ratio) for ratio in RATIOS}
 
 # %%
-# Left the plates over time: most of the speed comes within the first 10 µs, the rest while the gas thins out. Right the speeds
-# against Gurney's formula with sqrt(2E) from 2.70 to 2.77 km/s, as handbooks have it for Composition B.
+# Left: the plates over time; they gain most of their speed within the first 10 µs, the rest while the gas expands. Right: the speeds
+# and Gurney's formula with sqrt(2E) from 2.70 to 2.77 km/s, the handbook values for Composition B.
 fig, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.8), layout="constrained")
 for colour, (ratio, (history, _)) in zip(COLOURS, found.items()):
     left.plot(history["time"] * 1e6, history["velocity"] / 1e3, color=colour)

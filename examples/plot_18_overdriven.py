@@ -35,9 +35,8 @@ u = brentq(lambda u: float(overdriven(products, particle_velocity=u).pressure - 
 theory = overdriven(products, particle_velocity=u)
 
 # %%
-# Left: pressure against particle velocity, with the mean of the states that the
-# run has within 2.5 mm behind its front 2 µs after the impact (circle). Right: that front, and the release from the back of the
-# flyer that follows it.
+# Left: pressure against particle velocity; the circle is the mean state of the run within 2.5 mm behind the front, 2 µs after
+# the impact. Right: that front, and the release from the back of the flyer that follows it.
 snapshots = run.arrays("snapshots")
 row = int(np.argmin(np.abs(snapshots["time"] - 2e-6)))
 path = front_path(snapshots["burn_fraction"], snapshots["position_left"], snapshots["position_right"])

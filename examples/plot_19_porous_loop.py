@@ -1,10 +1,10 @@
 """
 Porous aluminium: crushed, released, crushed again
-================================================
+==================================================
 
-A slow piston presses aluminium of 78 % density. The pores close along the crush curve of the P-alpha law; where the piston draws back the
-material unloads elastically, as stiff as its solid, and comes back to the curve where it left it. Without the memory it would run back
-along the crush curve and reopen its pores.
+A slow piston presses aluminium of 78 % density. The pores close along the crush curve of the P-alpha law; where the piston draws back, the
+material unloads elastically, as stiff as the solid, and on reloading rejoins the curve where it left it. If the law did not remember the
+compaction, the material would follow the crush curve back and reopen its pores.
 """
 
 import matplotlib.pyplot as plt
@@ -23,7 +23,7 @@ solid = MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0)
 porous = p_alpha.build(solid, alpha0=1.275, elastic_pressure=0.08e9, compaction_pressure=0.7e9)
 
 # %%
-# The piston goes in at 0.5 m/s, draws back for a while, and goes in again. The two millimetres stay in equilibrium all the time.
+# The piston goes in at 0.5 m/s, draws back for a while, and goes in again. The 2 mm of material stay in equilibrium throughout.
 pulse = Pulse("table", times=(0.0, 4e-4, 4.04e-4, 4.8e-4, 4.84e-4, 1e-3), values=(0.5, 0.5, -0.08, -0.08, 0.5, 0.5))
 problem = Problem("loop", "planar", 7e-4, (Region("slab", "foam", 0.0, 2e-3, 20),), {"foam": Material("foam", porous)},
                   Boundary("velocity", pulse), Boundary("fixed"), output=OutputOptions(report=False))

@@ -2,9 +2,9 @@
 A detonation that pulsates
 ==========================
 
-A steady reaction zone need not be a stable one. The standard case of the field is one Arrhenius reaction in a gas of
+A steady reaction zone need not be stable. The standard test case is a single Arrhenius reaction in a gas of
 gamma = 1.2 with heat and activation energy of 50 (in units of the state ahead), overdriven to f = (D/D_CJ)² = 1.6: the front
-settles into one mode of pulsation. Fickett and Wood found it in 1966 by characteristics; crests of 98.6 every 7.3 to 7.5
+settles into one mode of pulsation. Fickett and Wood found it in 1966 by characteristics; peaks of 98.6 every 7.3 to 7.5
 units of time have been quoted ever since.
 """
 
@@ -24,13 +24,13 @@ RATE = 231.16    # makes the steady half-reaction length 1 at f = 1.6
 mixture = Material("gas", gas, burn=Arrhenius(RATE, 50.0), unreacted=gas, mixture="weighted_pressures", detonation_energy=50.0)
 
 # %%
-# The run starts from the exact steady zone and follows its front with a window of zones; sound leaves at the rear.
-# Five zones per half-reaction length are coarse, and enough. `quadratic` is (gamma + 1)/4, the value for the shock itself.
+# The run starts from the exact steady zone and follows its front with a moving window of zones; sound waves leave at the rear.
+# Five zones per half-reaction length are coarse, but enough. `quadratic` is (gamma + 1)/4, the value for the shock itself.
 found = follow(mixture, Initial(1.0, 1.0, 5.0), 62.0, overdrive=1.6, zones=5, window=12.0, viscosity={"quadratic": 0.55, "linear": 1.0})
 times, crests = found.crests(after=38.0)
 
 # %%
-# Pressure behind the front. The instability of the steady zone grows for three periods; from then on all crests are equally high.
+# Pressure behind the front. The instability of the steady zone grows for three periods; from then on all peaks are equally high.
 fig, ax = plt.subplots(figsize=(7.2, 3.4), layout="constrained")
 ax.plot(found.time, found.front_pressure, color=COLOURS[0])
 spike = float(found.exact.von_neumann.pressure)

@@ -6,8 +6,8 @@ A flyer plate's release overtakes its own shock: the free surface of a thick tar
 target thickness, flyer speed and yield stress gives the curves of figures 3 and 4 of WL-TR-64-107 (Herrmann) for two plates of aluminium.
 
 The report shows points of Curran (J. Appl. Phys. 34 (1963) 2677) and a theory of Fowles (J. Appl. Phys. 31 (1960) 655) beside its curves
-as drawings, not numbers, so they are not repeated here. In numbers: the release catches the shock in a target that is (c + U) / (c - U)
-flyers thick, with the Lagrangian speeds of shock U and release c.
+only as drawings, without numbers, so they are not repeated here. Theory: the release catches the shock in a target that is
+(c + U) / (c - U) flyers thick, with the Lagrangian speeds of shock U and release c.
 """
 
 import tempfile
@@ -46,7 +46,7 @@ def caught(speed, elastic, delay=0.0):
 
 
 # %%
-# The velocity 0.12 µs after the main wave: at first the flyer's own, except that the release is not quite the mirror image of the shock.
+# The velocity 0.12 µs after the main wave: at first the flyer's velocity, as the release is almost the mirror image of the shock.
 # It falls where the release comes within those 0.12 µs (dotted, from the speeds of sound and shock): sooner with a yield stress, for
 # then the front of the release is elastic and runs at the longitudinal speed.
 DELAY, time = 0.12e-6, table["time"].values

@@ -2,8 +2,8 @@
 Spall strength from a velocity record
 =====================================
 
-A record of a free surface, simulated, with 5 m/s of added noise and delayed by 8 ns: what flyer speed, yield stress and spall
-strength does it show, and how sure is that? The fit seeks all three and the delay.
+A free-surface record is simulated, with 5 m/s of added noise and a delay of 8 ns. Which flyer speed, yield stress and spall
+strength does it imply, and how accurately? The fit finds all three and the delay.
 """
 
 import tempfile
@@ -37,7 +37,7 @@ with tempfile.TemporaryDirectory() as name:
     time, velocity = fitted.gauge("velocity", "free surface")
 
 # %%
-# Above the record and the run with the values found, below their difference in standard deviations: noise without a pattern.
+# Above: the record and the run with the fitted values. Below: their difference in standard deviations, noise without a pattern.
 shift = float(found["value"].sel(parameter="shift"))
 fig, (ax, rest) = plt.subplots(2, 1, figsize=(6.6, 4.2), layout="constrained", height_ratios=(3, 1), sharex=True)
 ax.plot(at * 1e6, measured, ".", color=INK, markersize=2, label="measured")

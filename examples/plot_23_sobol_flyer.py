@@ -2,7 +2,7 @@
 Which constant of the flyer matters
 ===================================
 
-Flyer speed and sound speed are known to 1 or 2 %, the Hugoniot slope to 7 % and the yield stress to 20 %. How much of that shows
+Flyer speed and sound speed are known to 1 or 2 %, the Hugoniot slope to 7 % and the yield stress to 20 %. How much of this shows up
 in an arrival time, in a plateau and in the free-surface velocity? Sobol' indices divide the variance of each result among the four.
 """
 
@@ -29,7 +29,7 @@ with tempfile.TemporaryDirectory() as folder:
     rows = list(csv.DictReader((Path(folder) / "sweep" / "sensitivity.csv").open()))
 
 # %%
-# First-order indices with 95 % intervals by bootstrap: the part of a result's variance that would go if this one were known.
+# First-order indices with 95 % bootstrap intervals: the part of a result's variance that would vanish if this input were known.
 fig, axes = plt.subplots(1, 3, figsize=(7.4, 2.7), layout="constrained", sharey=True)
 for ax, (result, words) in zip(axes, RESULTS.items()):
     own = [row for row in rows if row["result"] == result][::-1]

@@ -2,8 +2,9 @@
 A copper bar against a wall
 ===========================
 
-Taylor's test: a bar of 32.4 mm strikes a rigid wall at 227 m/s. The foot spreads, a plastic wave runs up the bar and stops, and what is
-left of the length measures the strength. Length and foot converge as the mesh is refined; published codes give the shaded bands.
+Taylor's test: a bar of 32.4 mm strikes a rigid wall at 227 m/s. The foot spreads, a plastic wave runs up the bar and stops, and the
+final length is a measure of the strength. The length and the radius of the foot converge as the mesh is refined; the shaded bands are
+the results of published codes.
 """
 
 import tempfile

@@ -3,7 +3,7 @@ The cylinder test of Composition B
 ==================================
 
 A charge of 25.4 mm in a copper tube is lit at one end; a streak camera looks through a slit at one section of the tube. What it records is
-the place where its line of sight meets the wall, not a point of the metal: the wall leans, and crosses the line faster than it moves.
+the place where its line of sight meets the wall, not a point of the metal: the wall is inclined, and the place moves faster than the metal.
 """
 
 import tempfile
@@ -21,7 +21,7 @@ time, place = run.gauge("line_position", "streak at 100 mm")
 _, streak = run.gauge("line_velocity", "streak at 100 mm")
 travel = (place - place[0]) * 1e3
 rows = run.arrays("snapshots")
-node = np.hypot(rows["position_x"][0] - 15.306e-3, rows["position_y"][0] - 0.1).argmin()      # the metal that was in the slit at first
+node = np.hypot(rows["position_x"][0] - 15.306e-3, rows["position_y"][0] - 0.1).argmin()      # the metal seen through the slit at t = 0
 moved, metal = (rows["position_x"][:, node] - 15.306e-3) * 1e3, rows["velocity_x"][:, node]
 
 # %%
@@ -33,8 +33,8 @@ ax.text(44.0, 102.0, "slit", fontsize=8.5, color=QUIET)
 ax.set_xlim(-50, 50)
 
 # %%
-# Speeds over the travel of the wall, which rings as waves run through it: means are taken over one period, 1.4 mm of travel. The metal
-# of the surface moves outward 2 % more slowly than the record says. Experiment: 0.960 and 1.330 kJ per gram of copper after 6 and 19 mm.
+# Speed against travel of the wall, which rings as waves run through it; means are taken over one period, 1.4 mm of travel. The metal
+# at the surface moves outward 2 % more slowly than the record shows. Experiment: 0.960 and 1.330 kJ per gram of copper after 6 and 19 mm.
 fig, ax = plt.subplots(figsize=(7.2, 3.2), layout="constrained")
 ax.plot(travel, streak, color=COLOURS[0], lw=1.0)
 ax.plot(moved, metal, ".", color=COLOURS[1], ms=4)

@@ -1,9 +1,9 @@
 """
-A rod that wears away
-=====================
+A rod that erodes
+=================
 
-Steel strikes steel at 2.5 km/s. Rod and target flow at the bottom of the crater, and their zones leave the mesh where they have been
-strained by 1.5 (`[solver.erosion]`); surfaces are rebuilt, so that the rod stays in contact with the zones that are left.
+Steel strikes steel at 2.5 km/s. Rod and target flow at the bottom of the crater, and their zones leave the mesh when their plastic strain
+reaches 1.5 (`[solver.erosion]`). The surfaces are rebuilt, so that the rod stays in contact with the remaining zones.
 """
 
 import tempfile

@@ -76,7 +76,8 @@ class UnphysicalState(HugoniotError):
             where.append(f"t = {self.time:.6g} s")
         if self.cycle is not None:
             where.append(f"cycle {self.cycle}")
-        return ", ".join(where) + (": " if where else "") + self.cause + (f" Remedy: {self.remedy}" if self.remedy else "")
+        cause = self.cause.rstrip(".") + f". Remedy: {self.remedy}" if self.remedy else self.cause
+        return ", ".join(where) + (": " if where else "") + cause
 
 
 class OutOfRange(HugoniotError, ValueError):

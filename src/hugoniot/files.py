@@ -25,7 +25,7 @@ _WITHOUT_WAITING = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_C
 def open_regular(path, flags: int = _WITHOUT_WAITING) -> int:
     """Handle of a regular file, opened without waiting.
 
-    `FileTrouble` for a device, a pipe, a folder or what cannot be a name; `OSError` as the system raises it.
+    `FileTrouble` for a device, a pipe, a folder or what is not a valid name; `OSError` as the system raises it.
     """
     try:
         handle = os.open(path, flags)
@@ -43,9 +43,9 @@ def read_regular(path, limit: int = LARGEST) -> bytes:
     `FileTrouble` for any other kind or a larger one; `OSError` as the system raises it.
     """
     with os.fdopen(open_regular(path), "rb") as file:
-        data = file.read(limit + 1)
-    if len(data) > limit:
-        raise FileTrouble(f"{path}: more than {limit / 1e6:g} MB; was another file meant?")
+        data = file.read(limit + 1) if os.fstat(file.fileno()).st_size <= limit else None
+    if data is None or len(data) > limit:
+        raise FileTrouble(f"{path}: larger than {limit / 1e6:g} MB; is this the right file?")
     return data
 
 

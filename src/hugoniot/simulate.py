@@ -192,9 +192,9 @@ def _note_extrapolation(folder: RunFolder, problem: Problem, solver: Solver, war
         end = range_of(problem.materials[name])
         foretold = any(f"data of '{name}'" in text or f"material '{name}' is driven to" in text for text in warned)
         if speed > end.up and not foretold:
-            reach = f"its data reach {end.up:.4g} m/s" if end.stated else f"{beyond(end)}, and no range of its data is stated"
+            reach = f"but its data reach only {end.up:.4g} m/s" if end.stated else f"{beyond(end)}, and no range of its data is stated"
             folder.event(solver.time, solver.cycle, "warning",
-                         f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s; {reach}")
+                         f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s, {reach}")
 
 
 def _doubts(problem: Problem, solver: Solver) -> list[str]:
@@ -234,7 +234,7 @@ def _read(deck_or_problem, deck_text, overrides) -> tuple[Problem, str, list[str
         deck, name = deck_or_problem, re.sub(r"[^a-z0-9]+", "-", deck_or_problem.problem.title.lower()).strip("-") or "run"
     else:
         if not isinstance(deck_or_problem, (str, os.PathLike)):
-            raise TypeError(f"a run is given the path of a deck, a Deck or a Problem, not {type(deck_or_problem).__name__}")
+            raise TypeError(f"give the path of a deck, a Deck or a Problem, not {type(deck_or_problem).__name__}")
         path = pathlib.Path(deck_or_problem)
         if not path.exists():
             raise FileTrouble(f"{path}: no such deck; `hugoniot init` writes one to start from")

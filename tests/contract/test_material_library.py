@@ -142,11 +142,11 @@ def test_counts():
 def test_the_page_on_provenance_counts_as_the_library_does():
     text = " ".join((Path(__file__).parents[2] / "docs" / "materials" / "provenance.md").read_text(encoding="utf-8").split())
     rows, ranges, states, deviations, errors, presses, highest, spread, spall = known().values()
-    assert f"Of {rows} Us-up rows {ranges} have a range in particle velocity. For {states} of them it is that of measured states" in text
-    assert f"{deviations} have a deviation of the shock velocities, {errors} standard deviations of c0 and s" in text
+    assert f"Of {rows} Us-up rows {ranges} have a range in particle velocity: * For {states} of them the range is that of the measured states" in text
+    assert f"{deviations} rows have a deviation of the shock velocities and {errors} have standard deviations of c0 and s" in text
     assert f"Of {presses} static compressions {highest} have a highest pressure and {spread} a standard deviation" in text
     used = [name for name in library.index() if library.find(name).fracture is not None]
-    assert f"{spall} rows have a spall strength" in text and f"and {len(used)} curated materials use one" in text
+    assert f"{spall} rows have a spall strength" in text and f". {len(used)} curated materials use one" in text
     assert f"has {summary()['measured_states']} states" in text and f"{rows - ranges} rows have no range" in text
     table = re.findall(r"\| (\d+) \| [^|]+\|", text[text.index("rows have no range"):text.index("No public copy")])
     assert sum(map(int, table)) == rows - ranges

@@ -43,7 +43,7 @@ def test_initiation(tmp_path):
     path = front_path(snapshots["pressure"], snapshots["position_left"], snapshots["position_right"], 5e9)
     path = np.where(path < 0.019, path, np.nan)
     assert front_speed(snapshots["time"], path, 0.01) == pytest.approx(7680.0, rel=0.01)
-    assert run_to_detonation(snapshots["time"], path, 7680.0)[0] == pytest.approx(2.3e-3, rel=0.05)
+    assert run_to_detonation(snapshots["time"], path, 7680.0)[0] == pytest.approx(2.24e-3, rel=0.02)
     assert "warning" not in list(run.arrays("events")["kind"])
 
 
@@ -55,7 +55,7 @@ def test_gurney(tmp_path):
     far = snapshots["time"][np.argmax(snapshots["position_left"][:, 200] > 0.14)]
     velocity = float(np.interp(far, plate["time"], plate["velocity"]))
     assert velocity == pytest.approx(gurney("open", 1.0, 2735.0), rel=0.05)
-    assert velocity == pytest.approx(1532.0, rel=2e-3) and far == pytest.approx(85e-6, abs=1e-6)
+    assert velocity == pytest.approx(1531.0, rel=1e-3) and far == pytest.approx(85e-6, abs=1e-6)
     assert plate["mass"] == pytest.approx(gas["mass"], rel=1e-4)
     assert plate["momentum"] + gas["momentum"] == pytest.approx(0.0, abs=1e-9 * plate["momentum"][-1])
     assert 1.0 <= plate["energy_velocity"][-1] / plate["velocity"][-1] < 1.003     # a plate that rings has more

@@ -445,5 +445,5 @@ def test_a_table_whose_numbers_lie_in_another_file_is_refused(table, tmp_path, h
             file.create_virtual_dataset("density", layout)
         else:
             file.create_dataset("density", (3,), "f8", **how)
-    with pytest.raises(DeckError, match="density: its numbers lie in another file"):
+    with pytest.raises(DeckError, match="density: its numbers are stored in another file"):
         read_table(tmp_path / "gas.h5")

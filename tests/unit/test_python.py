@@ -29,7 +29,7 @@ def test_everything_public_is_found_and_explained():
 
 @pytest.mark.parametrize("wrong", [5, None, {}, ["flyer.toml"], b"flyer.toml"])
 def test_what_is_no_deck_is_told(wrong):
-    with pytest.raises(TypeError, match="a run is given the path of a deck, a Deck or a Problem, not "):
+    with pytest.raises(TypeError, match="give the path of a deck, a Deck or a Problem, not "):
         hugoniot.run(wrong)
 
 

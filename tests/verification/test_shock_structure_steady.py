@@ -178,7 +178,7 @@ def test_mach_at_or_below_one(mach):
 
 
 def test_mach_together_with_another_measure():
-    with pytest.raises(OutOfRange, match="given once"):
+    with pytest.raises(OutOfRange, match="not by both"):
         argon(2.0, pressure=1e6)
 
 

@@ -117,7 +117,7 @@ def question_for(wishes: Wishes, text: str | None, path: pathlib.Path | None, ma
             raise refuse("--match", ",".join(wishes.match), "an impact needs a flyer and a target", "write --match copper,aluminum")
         return Match(wishes.match, places)
     if text is None or path is None:
-        raise refuse("DECK", "", "no deck", "name one, or a match: --match copper,aluminum")
+        raise refuse("DECK", "", "no deck is given", "name one, or give a match: --match copper,aluminum")
     kept = None if runs is None else os.path.abspath(runs)
     question = Deck(text, path.name, os.path.abspath(path.parent), places, wishes.record, runs=kept)
     if wishes.record:
@@ -128,7 +128,7 @@ def question_for(wishes: Wishes, text: str | None, path: pathlib.Path | None, ma
             gauge, dot, _ = name.rpartition(".")
             if not dot or gauge not in names:
                 raise refuse("--record", name, "no such gauge in the deck", f"write it like '{(names or ['GAUGE'])[0]}.velocity'; "
-                             f"there are: {', '.join(names) or 'none'}")
+                             f"the gauges are: {', '.join(names) or 'none'}")
     return question
 
 

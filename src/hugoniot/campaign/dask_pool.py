@@ -144,7 +144,7 @@ class DaskPool:
             found.pop("threads", None)
             return {**found, "case": case}
         if future.status == "error" and type(future.exception()).__name__ == "KilledWorker":
-            return {"case": case, "died": "its worker died each time it was tried"}
+            return {"case": case, "died": "its worker process died at every attempt"}
         if future.status == "error":
             raise HugoniotError(f"a worker of the cluster failed: {future.exception()}")
         raise HugoniotError(LOST)

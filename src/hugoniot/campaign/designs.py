@@ -62,7 +62,7 @@ def design_of(variables: Sequence[Variable], kind: str = "grid", samples: int | 
     """
     if kind.lower().endswith(".csv"):
         if variables:
-            raise refuse("--vary", variables[0].name, "a table of cases already states what is varied", "give --vary or a table")
+            raise refuse("--vary", variables[0].name, "a table of cases already states what varies", "give either --vary or a table")
         return _table(kind)
     if kind not in KINDS:
         raise refuse("--design", kind, "unknown design", f"known: {', '.join(KINDS)}, or a table of cases such as cases.csv")
@@ -76,12 +76,13 @@ def design_of(variables: Sequence[Variable], kind: str = "grid", samples: int | 
 
 def _grid(variables: Sequence[Variable], samples: int | None) -> Design:
     if samples is not None:
-        raise refuse("--samples", str(samples), "a grid has as many cases as its values make", "sample instead, with --design sobol")
+        raise refuse("--samples", str(samples), "the number of cases of a grid follows from its values", "leave it out, or take a sample "
+                                                                                                         "with --design sobol")
     for variable in variables:
         if variable.kind == "normal":
-            raise refuse("--vary", variable.name, "a normal distribution is sampled, not put on a grid", "give --design sobol or lhs")
+            raise refuse("--vary", variable.name, "a grid cannot hold a normal distribution", "take a sample with --design sobol or lhs")
         if variable.kind != "values" and variable.count is None:
-            raise refuse("--vary", variable.name, "no number of values", "write the range and then, for instance, ': 10'")
+            raise refuse("--vary", variable.name, "a grid needs the number of values in a range", "add it after the range, such as ': 10'")
     shape = tuple(len(v.values) if v.kind == "values" else v.count or 0 for v in variables)
     _few_enough(math.prod(shape), " x ".join(map(str, shape)) if len(shape) > 1 else "")
     return Design("grid", tuple(variables), shape)
@@ -105,7 +106,7 @@ def _sampled(variables: Sequence[Variable], kind: str, samples: int | None, seed
     from scipy.stats import qmc
 
     if kind in ("sobol", "saltelli") and samples & (samples - 1):
-        raise refuse("--samples", str(samples), "Sobol' sequences are balanced at powers of two only",
+        raise refuse("--samples", str(samples), "a Sobol' sequence is balanced only if the number of points is a power of two",
                      f"use {1 << (samples.bit_length() - 1)} or {1 << samples.bit_length()}"
                      + (", or --design lhs" if kind == "sobol" else ""))
     if kind in ("saltelli", "morris"):

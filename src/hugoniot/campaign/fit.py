@@ -284,7 +284,8 @@ class Problem:
         points = ([own] if own is not None else []) + sample
         self.answers(points)
         if all("numbers" not in self.answers([x])[0] for x in points):
-            raise NoSolution(f"no run within the ranges succeeded; the first: {self.answers(points[:1])[0].get('reason', 'no answer')}")
+            raise NoSolution("no run within the ranges succeeded; the first failed with: "
+                             f"{self.answers(points[:1])[0].get('reason', 'no answer')}")
         points = sorted((self.with_best_nuisance(x) for x in points), key=self.cost)
         kept: list[np.ndarray] = []
         for x in points:

@@ -38,11 +38,12 @@ def _refuse_changed(folder: pathlib.Path) -> None:
     """A fit.json of something else, or a fitted deck that somebody has worked on since, is not replaced."""
     found = read_listed(folder / FOUND)
     if not {"parameters", "chi_square"} <= set(found):
-        raise FileTrouble(f"{folder / FOUND}: not written by a fit; it would be lost. Choose another folder with --out")
+        raise FileTrouble(f"{folder / FOUND}: this file was not written by a fit and would be overwritten; choose another folder with "
+                          "--out")
     wanted, path = found["sha256"].get(FITTED), folder / FITTED
     with legible(path):
         if wanted is not None and path.exists() and digest(path).sha256 != wanted:
-            raise FileTrouble(f"{path}: changed since the fit; the changes would be lost. Move it elsewhere, "
+            raise FileTrouble(f"{path}: changed since the fit, and the changes would be lost; move it elsewhere "
                             f"or choose another folder with --out")
 
 

@@ -68,7 +68,7 @@ class Journal:
                 append(self.path, HEAD)
                 return len(HEAD)
             if head != HEAD.encode():
-                raise FileTrouble(f"{self.path}: not the cases of a sweep; choose another folder with --out")
+                raise FileTrouble(f"{self.path}: this file was not written by a sweep; choose another folder with --out")
             at = file.tell()
             for line in file:
                 if not line.endswith(b"\n"):
@@ -99,7 +99,7 @@ class Journal:
                 file.seek(self.places[key])
                 found = _opened(file.readline())
                 if found is None:
-                    raise FileTrouble(f"{self.path}: changed while the sweep ran")
+                    raise FileTrouble(f"{self.path}: the file was changed while the sweep was running")
                 yield found
 
     def close(self) -> None:

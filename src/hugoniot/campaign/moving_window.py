@@ -65,7 +65,7 @@ def follow(material: Material, initial: Initial, duration: float, *, overdrive: 
     Raises `OutOfRange` for a burn law without a steady zone, or a window that does not hold the half-reaction length.
     """
     if not (duration > 0.0 and zones >= 1 and window > 2.0):
-        raise OutOfRange(f"a followed detonation needs a positive duration, a zone or more per half-reaction length and a window of "
+        raise OutOfRange(f"a followed detonation needs a positive duration, at least one zone per half-reaction length and a window of "
                          f"more than 2 half-reaction lengths; got {duration:g} s, {zones:g}, {window:g}")
     exact = znd(burning.reactive(material).mixture, initial, material.burn, overdrive=overdrive, points=2000, complete=1.0 - 1e-9)
     size, drift = exact.half_reaction_length / zones, float(exact.particle_velocity[-1])

@@ -124,7 +124,7 @@ def initiation(charge: Charge, pressure: float, zone_size: float, longest: float
     piston, entering = float(inert.particle_velocity), float(inert.shock_velocity)
     most, at_once = int(longest / zone_size), False
     if entering >= charge.speed:
-        told = f"the shock itself runs at {entering:.0f} m/s, faster than the detonation: overdriven"
+        told = f"the input shock runs at {entering:.0f} m/s, faster than the detonation, which is therefore overdriven"
         return Initiation(pressure, piston, entering, math.nan, math.nan, 0, (np.zeros(0), np.zeros(0)), told, True)
     while True:
         zones = min(zones, most)
@@ -133,7 +133,8 @@ def initiation(charge: Charge, pressure: float, zone_size: float, longest: float
             distance, time = run_to_detonation(times, path, charge.speed, entering)
             at_once = bool(distance < NEAREST * zone_size)
             if at_once:
-                told = [f"detonation within {distance / zone_size:.0f} zones: make them {NEAREST * zone_size / distance:.1f} times smaller"]
+                told = [f"detonation within only {distance / zone_size:.0f} zones: make the zones {NEAREST * zone_size / distance:.1f} "
+                        "times smaller"]
                 distance = time = math.nan
             break
         except OutOfRange:

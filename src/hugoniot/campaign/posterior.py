@@ -147,7 +147,8 @@ def _doubts(problem: Problem, stand_in: Surrogate | None, flat: np.ndarray, effe
     if stand_in is not None:
         rim = np.mean(np.any(np.abs(stand_in.places(flat)) > 0.9, axis=1))
         if rim > 0.02:
-            found.append(f"{100.0 * rim:.0f} % of the posterior lies at the edge of the surrogate's runs: the true posterior is wider")
+            found.append(f"{100.0 * rim:.0f} % of the posterior lies at the edge of the region that the surrogate's runs cover: the true "
+                         "posterior is wider")
     low, high = problem.ends
     for k, name in enumerate(problem.names):
         share = (flat[:, k] - low[k]) / (high[k] - low[k])

@@ -200,7 +200,7 @@ class Match(Asked):
             parts = key[len(f"material.{owner}."):].split(".") if owner else []
             if owner is None or len(parts) != 2:
                 hint = f"known: velocity, {', '.join(names)}, and keys such as material.{next(iter(names.values()))}.eos.c0"
-                raise DeckError.single("match", None, key, "no such input of an impedance match", hint)
+                raise DeckError.single("match", None, key, "an impedance match has no such input", hint)
             tables.setdefault(owner, {"base": owner}).setdefault(parts[0], {})[parts[1]] = value
         if "velocity" not in changes:
             raise DeckError.single("match", None, "velocity", "the velocity of the flyer is missing", 'write --vary "velocity = 500 m/s"')

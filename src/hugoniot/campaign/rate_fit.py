@@ -89,7 +89,8 @@ def fit_rate(material: Material, line: PopLine, pressures: Sequence[float], adju
     problem.answers([start])
     first = made[tuple(f.given(0.5) for f in problem.free)]
     if not any(math.isfinite(p.distance) for p in first):
-        raise OutOfRange(f"with the starting constants no run detonated within {ROOM:g} run distances of the Pop plot, or all did at once; "
+        raise OutOfRange(f"with the starting constants no run detonated within {ROOM:g} times the measured run distance, or every run "
+                         "detonated at once; "
                          f"start from constants that are closer to the data ({first[-1].note})")
     fit = weighed(problem, [problem.search(start)])
     values = [f.given(c) for f, c in zip(problem.free, fit.minimum.x)]
@@ -131,7 +132,7 @@ class _Unknowns:
             raise OutOfRange(f"the power '{lone[0]}' of the pressure cannot be adjusted without its coefficient '{factor}': name both")
         zero = [name for name, log in zip(self.names, self.logarithmic) if log and not getattr(material.burn, name) > 0.0]
         if zero:
-            raise OutOfRange(f"the constant '{zero[0]}' starts from 0 and has no logarithm to adjust; start from a positive value")
+            raise OutOfRange(f"the constant '{zero[0]}' starts from 0, but its logarithm is adjusted; start from a positive value")
 
     def _scale(self, name: str, burn) -> float:
         """Pa^y of a coefficient at the middle pressure; 1 for other constants."""

@@ -63,7 +63,7 @@ class Surrogate:
         inside = np.all(np.abs(z) <= 1.0, axis=1)
         return [{"numbers": {name: float(v[k]) for name, v in numbers.items()},
                  "records": {name: (self.records[name].times, v[k]) for name, v in records.items()}} if inside[k]
-                else {"reason": "outside the sample of runs"} for k in range(len(z))]
+                else {"reason": "outside the region that the runs sample"} for k in range(len(z))]
 
 
 def surrogate_of(problem: Problem, best: np.ndarray, covariance: np.ndarray, runs: int | None = None, seed: int = 0) -> Surrogate:

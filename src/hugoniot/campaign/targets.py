@@ -137,7 +137,7 @@ def _records(path: str, run, gauge, sigma, clock: int, notes: list[str]) -> list
         name = f"{column.gauge} {column.field}".strip()
         if own is None:
             known = ", ".join(sorted({f"{r.gauge} {r.field}" for r in mine})[:8])
-            raise DeckError.single(path, 1, name, "no gauge of the deck has this", f"there are: {known}")
+            raise DeckError.single(path, 1, name, "no gauge of the deck records this", f"recorded are: {known}")
         values, estimated = _sigma(path, column, spreads.get(name), sigma)
         found.append(Target(f"{pathlib.Path(path).name}: {name}", f"{own.gauge}.{own.field}", own.unit, column.time, column.values, values,
                             clock, estimated))

@@ -70,7 +70,7 @@ def uncertain(question: Deck, kind: str) -> tuple[list[Variable], list[Tie], lis
             terms = [f" + {d.shifts[constant]:.9g} * {names[d.source]}" for d in each.found.directions if constant in d.shifts]
             ties.append(Tie(f"material.{each.name}.{constant}", Expression(f"{each.constants[constant]!r}{''.join(terms)}")))
     if not ties:
-        raise refuse("--uncertain", kind, "the library has no uncertainty for any constant of this deck",
+        raise refuse("--uncertain", kind, "the library gives no uncertainty for any constant of this deck",
                      'name a material of the library, or give an uncertainty: --vary "material.al.eos.c0 = 5.35 +- 0.05 km/s"')
     return variables, ties, known
 

@@ -147,7 +147,7 @@ def _range(name: str, rest: str, where: str, text: str) -> Variable:
     if count is not None and count < 2:
         raise refuse(where, text, f"too few values in a range: {count}", "give 2 or more, or a single value without a range")
     if log and not low > 0.0:
-        raise refuse(where, text, "equal ratios need a range above 0")
+        raise refuse(where, text, "logarithmic steps need a range above 0")
     whole = not unit and all(_WHOLE.fullmatch(end.strip()) for end in (ends["low"], ends["high"]))
     return Variable(name, "log" if log else "range", unit, low, high, count, whole=whole)
 
@@ -159,7 +159,7 @@ def _normal(name: str, rest: str, where: str, text: str) -> Variable:
         mean = convert(mean, mean_unit, unit) if unit else mean
         unit = unit or mean_unit
     if not sigma > 0.0:
-        raise refuse(where, text, f"a standard deviation of {sigma:g}", "it must be above 0")
+        raise refuse(where, text, f"the standard deviation is {sigma:g}", "it must be above 0")
     return Variable(name, "normal", unit, mean, sigma)
 
 

@@ -225,7 +225,8 @@ def _data(name: str, reference, as_json) -> None:
 def _burn_times(settings: list[str], grid: Grid, as_json, as_csv, plot) -> None:
     """Burn times of Kenamond's problems: the number of the problem is one of the parameters."""
     if grid.times:
-        raise DeckError.single("command line", None, "--time", "burn times are times already: there is none to choose", "omit --time")
+        raise DeckError.single("command line", None, "--time", "does not apply to burn times, which are themselves the times of the "
+                                                               "front", "omit --time")
     problems = kenamond()
     rest = [s for s in settings if not s.replace(" ", "").startswith("problem=")]
     chosen = next((s.partition("=")[2].strip() for s in settings if s.replace(" ", "").startswith("problem=")), "1")

@@ -15,8 +15,8 @@ def command(
     work: Annotated[Path, typer.Option("--work", "-w", help="Folder for runs started from the page; created with the first "
                                                             "run.")] = Path("explorer-runs"),
     no_runs: Annotated[bool, typer.Option("--no-runs", help="Start no runs from the page.")] = False,
-    export: Annotated[Path | None, typer.Option("--export", help="Write the page with its data into this folder instead; it opens from "
-                                                                     "the disk.")] = None,
+    export: Annotated[Path | None, typer.Option("--export", help="Write the page with its data into this folder instead; it can be "
+                                                                     "opened from disk.")] = None,
     port: Annotated[int, typer.Option("--port", min=0, max=65535, help="Port on this machine; 0 for any free one.")] = 0,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
     view: Annotated[str, typer.Option("--view", help='View to open, the part of an address from # on: '

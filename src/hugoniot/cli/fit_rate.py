@@ -16,7 +16,8 @@ def command(
     adjust: Annotated[str, typer.Option("--adjust", help="Constants of the burn law to change.")] = "g1, y",
     start: Annotated[str, typer.Option("--start", help='Constants to set before the search, in SI: "y = 2.5, g1 = 8e-19, g2 = 0".')] = "",
     pressures: Annotated[str, typer.Option("--pressures", "-p", help='Input pressures: "3..15 GPa", or "8, 11, 15 GPa".')] = "3..15 GPa",
-    points: Annotated[int, typer.Option("--points", min=2, max=50, help="Number of runs over a range, at equal ratios of pressure.")] = 5,
+    points: Annotated[int, typer.Option("--points", min=2, max=50, help="Number of runs over a range, spaced logarithmically in "
+                                                                        "pressure.")] = 5,
     zones: Annotated[int, typer.Option("--zones", min=50, max=5000, help="Zones per run distance during the search.")] = 200,
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Number of runs at the same time.")] = 1,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder for fit.json, residuals.csv and report.html.")] = None,
@@ -24,7 +25,7 @@ def command(
 ) -> None:
     """Calibrate a few constants of a burn law to a measured Pop plot.
 
-    All other constants and both equations of state are kept. This is `hugoniot fit` with a Pop plot for its record: the same search, with
+    All other constants and both equations of state are kept. This is `hugoniot fit` with a Pop plot as its record: the same search, with
     standard deviations, intervals and notes, and with --out the same files. At the end every run is repeated with zones half the size, and
     the table of the burn law is printed for a deck. This takes a few minutes.
 
@@ -68,7 +69,7 @@ def _started(material, text: str):
         try:
             given[name] = float(value)
         except ValueError:
-            raise DeckError.single("command line", None, "--start", f"'{part.strip()[:40]}' is not a constant with a number",
+            raise DeckError.single("command line", None, "--start", f"'{part.strip()[:40]}' is not of the form NAME = NUMBER",
                                    'write "y = 2.5, g1 = 8e-19"') from None
     if not given:
         return material

@@ -35,7 +35,7 @@ def command(
     kind = file.suffix.lower()
     if kind in (".yml", ".yaml", ".in"):
         if units or density or name != "imported":
-            raise DeckError.single("command line", None, "--units, --name, --density", "belong to LS-DYNA cards", "omit them")
+            raise DeckError.single("command line", None, "--units, --name, --density", "apply to LS-DYNA cards only", "omit them")
         shown, left = _deck(text, file, kind)
     elif units is None:
         raise DeckError.single("command line", None, "--units", "the units of LS-DYNA cards are not given", 'write --units "g cm us"')

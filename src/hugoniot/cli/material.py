@@ -106,7 +106,7 @@ def compare(
     materials: MATERIALS = None,
     as_json: JSON = False,
 ) -> None:
-    """Overlay Hugoniots in P-up and Us-up: several materials, or all sources of one, with measured states.
+    """Overlay Hugoniots in p-up and Us-up: several materials, or all sources of one, with measured states.
 
     Example: hugoniot material compare iron -o iron.png
     """

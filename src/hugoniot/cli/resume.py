@@ -22,7 +22,7 @@ def command(
 
     Example: hugoniot resume flyer.run
 
-    Of a finished run it writes what is missing: report, gauges.csv, deck.
+    For a finished run it writes whatever is missing: report, gauges.csv, deck.
     """
     from hugoniot import simulate
 

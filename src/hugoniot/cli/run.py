@@ -15,7 +15,7 @@ def command(
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Run folder to write (default: DECK.run).")] = None,
     setting: SET = None,
     materials: MATERIALS = None,
-    threads: Annotated[int | None, typer.Option("--threads", "-t", min=1, help="Threads; the result does not depend on them.")] = None,
+    threads: Annotated[int | None, typer.Option("--threads", "-t", min=1, help="Number of threads; it does not affect the result.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace an existing run in that folder.")] = False,
     report: Annotated[bool, typer.Option("--report/--no-report", help="Write report.html at the end.")] = True,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show no progress.")] = False,

@@ -18,24 +18,26 @@ app = typer.Typer(no_args_is_help=True, help=(
 
 WHAT = Annotated[str, typer.Argument(metavar="WHAT", help="A deck, a case of Jordan 2011, or a material of the library.")]
 VISCOSITY = Annotated[str | None, typer.Option(
-    "--viscosity", help='Shear viscosity "22.7 uPa s", the name of a law for argon-jordan, or a table {law = "power_law", ...}.')]
-CONDUCTION = Annotated[str | None, typer.Option("--conduction", help='Heat conductivity "0.02 W/m/K", or a table {law = ...}.')]
+    "--viscosity", help='Shear viscosity, such as "22.7 uPa s", the name of a law for argon-jordan, or a table {law = "power_law", ...}.')]
+CONDUCTION = Annotated[str | None, typer.Option("--conduction", help='Heat conductivity, such as "0.02 W/m/K", or a table {law = ...}.')]
 PRANDTL = Annotated[float | None, typer.Option("--prandtl", help="Prandtl number, instead of --conduction.")]
 BULK = Annotated[float | None, typer.Option("--bulk-ratio", help="Ratio of bulk to shear viscosity.")]
-DENSITY = Annotated[str | None, typer.Option("--density", help='Density ahead, "1.62 kg/m^3".')]
-TEMPERATURE = Annotated[str | None, typer.Option("--temperature", help='Temperature ahead, "300 K".')]
-PRESSURE = Annotated[str | None, typer.Option("--pressure", help='Pressure ahead, "1 bar".')]
+DENSITY = Annotated[str | None, typer.Option("--density", help='Density ahead, such as "1.62 kg/m^3".')]
+TEMPERATURE = Annotated[str | None, typer.Option("--temperature", help='Temperature ahead, such as "300 K".')]
+PRESSURE = Annotated[str | None, typer.Option("--pressure", help='Pressure ahead, such as "1 bar".')]
 UNIT = Annotated[str, typer.Option("--mean-free-path", help="Definition of the mean free path: bsl, chapman_enskog, viscous, vhs.")]
-BENT = Annotated[bool, typer.Option("--bent", help="Water, silica of Jordan 2011: the Grüneisen parameter adjusted to fit the jump.")]
-CSV = Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")]
+BENT = Annotated[bool, typer.Option("--bent", help="For the water and silica cases of Jordan 2011: use the Grüneisen parameter adjusted "
+                                                   "to fit the jump.")]
+CSV = Annotated[Path | None, typer.Option("--csv", help="Write the numbers, in SI, to this file.")]
 PLOT = Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")]
 
 
 @app.command()
 def profile(
     what: WHAT, mach: Annotated[float | None, typer.Option("--mach", help="Mach number of the shock.")] = None,
-    particle_velocity: Annotated[str | None, typer.Option("--particle-velocity", help='Velocity jump, "858 m/s".')] = None,
-    shock_velocity: Annotated[str | None, typer.Option("--shock-velocity", help='Speed of the shock, "3 km/s".')] = None,
+    particle_velocity: Annotated[str | None, typer.Option("--particle-velocity", help='Jump in particle velocity, such as "858 '
+                                                                                      'm/s".')] = None,
+    shock_velocity: Annotated[str | None, typer.Option("--shock-velocity", help='Speed of the shock, such as "3 km/s".')] = None,
     viscosity: VISCOSITY = None, conduction: CONDUCTION = None, prandtl: PRANDTL = None, bulk_ratio: BULK = None,
     density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None, bent: BENT = False,
     points: Annotated[int, typer.Option("--points", min=2, max=100000, help="Number of points of --csv and the profile in --json.")] = 201,
@@ -119,7 +121,7 @@ def sweep(
 
 @app.command()
 def jordan(as_json: JSON = False) -> None:
-    """The tables of Jordan 2011 for argon, water and silica: what is printed beside what the equations give.
+    """The tables of Jordan 2011 for argon, water and silica: the printed values beside those that the equations give.
 
     Example: hugoniot structure jordan
     """
@@ -144,8 +146,8 @@ def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state, bent:
     from hugoniot.theory.structure import jordan as cases
 
     if bent and what not in cases.CONDENSED:
-        raise DeckError.single("command line", None, "--bent", f"'{what}' has no bent Grüneisen parameter",
-                               f"it belongs to the cases {', '.join(cases.CONDENSED)}")
+        raise DeckError.single("command line", None, "--bent", f"'{what}' has no adjusted Grüneisen parameter",
+                               f"the cases that have one are {', '.join(cases.CONDENSED)}")
     if what == "argon-jordan":
         law, ahead = cases.argon()
         found = {"eos": law, "ahead": ahead, "shock": {}, "transport": cases.argon_transport(_law_name(viscosity) or "power_law")}

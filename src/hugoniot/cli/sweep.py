@@ -46,7 +46,7 @@ def command(
     the reason.
 
     \b
-    --vary takes   KEY = LOW..HIGH UNIT : COUNT      add "log" for equal ratios
+    --vary takes   KEY = LOW..HIGH UNIT : COUNT      add "log" for logarithmic steps
                    KEY = 1, 2, 5 GPa                 values
                    KEY = "copper", "aluminum"        text values
                    KEY = MEAN +- SIGMA UNIT          normal, for samples

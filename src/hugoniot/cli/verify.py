@@ -16,7 +16,8 @@ FEWEST_ZONES = 10
 
 def verify(
     problems: Annotated[list[str] | None, typer.Argument(help="Names of standard problems (default: all).")] = None,
-    zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="Number of zones, not the standard grids; repeatable.")] = None,
+    zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="Number of zones, instead of the standard grids; "
+                                                                          "repeatable.")] = None,
     integrator: Annotated[str, typer.Option(help="compatible or wilkins.")] = "compatible",
     solver: Annotated[str, typer.Option(help='lagrange1d, or fronts (tracked fronts, mode = "cells").')] = "lagrange1d",
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,
@@ -24,7 +25,7 @@ def verify(
     """Run the built-in standard problems and print the errors, their limits, and the observed order of convergence.
 
     The limits are the errors of the KO scheme and of a second-order Godunov scheme on the same grid (in two dimensions: of the best open
-    code), and the goal of this package. Problems in two dimensions, and those with tracked fronts of their own, are left out where --zones
+    code), and the goal of this package. Problems in two dimensions, and those for tracked fronts alone, are left out if --zones
     or --integrator is given, unless they are named.
 
     Example: hugoniot verify sod noh_planar

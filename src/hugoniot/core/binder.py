@@ -2,10 +2,10 @@
 
 Inside a kernel a call such as `pressure(rho, e, par)` is resolved by the class of `par`, at compile time, to that law's
 own function and inlined. One kernel source therefore serves every law, each specialisation is compiled once and kept on
-disk, and no closure or function pointer stands in the way of the vectoriser (`kernels/README.md`, items 3, 6, 7).
+disk, and no closure or function pointer prevents vectorisation (`kernels/README.md`, items 3, 6, 7).
 
-A law's functions are bound when a kernel first needs them, with every plain function they call, wherever it stands. So a law may be
-registered at any time, before or after its family was bound, and may keep helpers in its own file or in another.
+A law's functions are bound when a kernel first needs them, with every plain function they call, in any file. A law may therefore be
+registered at any time, before or after its family was bound, and may have helpers in its own file or in another.
 """
 
 import types as pytypes

@@ -1,8 +1,8 @@
-"""A NamedTuple of arrays as compiled code sees it by its address: one pointer, however many arrays it has.
+"""A NamedTuple of arrays passed to compiled code by its address: one pointer, however many arrays it has.
 
-A NamedTuple of arrays goes from one compiled function to the next as six to ten words for each array, anew with every call: several
-hundred for a large one, which costs as much as a short loop. By its address it is one word. What a function asks of it is read from a list
-of words where it is asked, and as nothing writes to that list, once.
+A NamedTuple of arrays is passed from one compiled function to the next as six to ten words for each array, in every call: several
+hundred for a large one, which costs as much as a short loop. By its address it is one word. What a function needs is read from a list
+of words where it is used and, because nothing writes to that list, only once.
 """
 
 from typing import Any

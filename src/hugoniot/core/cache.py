@@ -1,7 +1,7 @@
-"""The folder of compiled code: where it is, whether it may be trusted, and what is cleared away.
+"""The folder of compiled code: where it is, whether it may be trusted, and what is removed from it.
 
-Compiled code is executed when it is read, so it is read only from a folder that is the user's own and that nobody else may write to.
-A process that finds another kind of folder keeps its compiled code to itself, with one warning.
+Compiled code is executed when it is read, so it is read only from a folder that belongs to the user and to which nobody else may write.
+A process that finds any other folder does not store its compiled code, and gives one warning.
 """
 
 import contextlib
@@ -48,7 +48,7 @@ def cache_folder() -> pathlib.Path | None:
     except OSError as error:
         trouble = f"{error.filename or folder}: {error.strerror}"
     if trouble:
-        not_kept(f"{trouble}; name another folder in HUGONIOT_CACHE, or make it yours alone (chmod 700)")
+        not_kept(f"{trouble}; set HUGONIOT_CACHE to another folder, or make this one private (chmod 700)")
         return None
     return folder
 

@@ -1,9 +1,9 @@
 """Compiled code on the disk: one file for each kernel and argument types, named after everything its machine code depends on.
 
 There is no index: a name is a hash of the kernel, its argument types, what its code refers to and the sources behind it
-(`core.sources`), in a folder named after the machine. So an edit, another law of the same name or another machine can never meet stale
-code, and processes that write at the same time cannot disturb each other. Every file ends with a hash of its contents and is
-compiled anew where that does not fit. Importing this module imports numba and sets it up.
+(`core.sources`), in a folder named after the machine. After an edit, with another law of the same name or on another machine stale code is
+therefore never used, and processes that write at the same time cannot interfere. Every file ends with a hash of its contents and is
+compiled anew if the hash does not match. Importing this module imports numba and sets it up.
 
 Code that refers to a class of the script itself (`__main__`) or to a file written after the process began is not kept.
 """

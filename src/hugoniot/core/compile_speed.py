@@ -3,7 +3,7 @@
 1. A function without wrappers that another kernel calls is only translated: numba would also optimise it and make machine code of it, then
    take its code into the caller and do both again, and once more with that one's caller. Here all the code of a kernel is optimised once,
    together. Where such a function's own address is asked for, it is finished then. It is not kept on disk. Whether a function is optimised
-   before it is taken into its caller depends on its own options only, so that no bit depends on what was compiled before.
+   before it is taken into its caller depends on its own options only, so that no result depends on what was compiled before.
 2. No search for unreachable objects while a kernel is compiled: the compiler makes millions of objects that live until it is done.
 3. Options of compiling are compared by what was set, which numba does a hundred thousand times for a march, with all options each time;
    and where all are asked for, they are not asked for one by one.

@@ -1,7 +1,7 @@
-"""What compiling costs and who is told of it, and what a process may leave out. Importing this module imports numba.
+"""The time spent compiling, messages about it, and what a process may omit. Importing this module imports numba.
 
-A kernel counts from the moment its code is not found in the folder of compiled code until the compiler is free again; what is
-compiled into it on the way belongs to it.
+The time of a kernel runs from the moment its code is not found in the folder of compiled code until the compiler is free again, and
+includes what is compiled into it.
 """
 
 import contextlib

@@ -1,4 +1,4 @@
-"""One row per field of a state: symbol, word, unit, place. Files, gauges, plot labels, decks and docs all use these names."""
+"""One row per field of a state: symbol, name, unit, location. Files, gauges, plot labels, decks and docs all use these names."""
 
 from typing import NamedTuple
 
@@ -43,7 +43,7 @@ _ROWS = (
     Field("temperature", "T", "K", "zone", "temperature", ("K", 1.0)),
     Field("plastic_strain", "eps_p", "1", "zone", "equivalent plastic strain", ("", 1.0)),
     Field("damage", "D", "1", "zone", "fracture damage", ("", 1.0)),
-    Field("compaction", "k", "1", "zone", "compaction of the pores (0 as at rest, 1 closed)", ("", 1.0)),
+    Field("compaction", "k", "1", "zone", "compaction of the pores (0 uncompacted, 1 closed)", ("", 1.0)),
     Field("burn_fraction", "lambda", "1", "zone", "burn fraction", ("", 1.0)),
     Field("reference_state", "k_r", "1", "zone", "reference state (0 no shock, 1 shock passing, 2 behind, 3 burning in it)",
           ("", 1.0)),

@@ -1,4 +1,4 @@
-"""What the machine code of a kernel holds, for the tests that guard its vectorisation."""
+"""Inspection of the machine code of a kernel, for the tests of its vectorisation."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""The machine and the compiler that compiled code is made by and for. Importing this module imports numba."""
+"""The machine and the compiler for which code is compiled. Importing this module imports numba."""
 
 import functools
 import hashlib

@@ -1,11 +1,11 @@
 """Lists of passes: a step written down as data, and the loop that carries it out.
 
-A solver writes its step in Python, once, as a list of passes with the rows each works on. Written down in numbers (`write`) it needs no
-compiling of its own: one small loop, `carry_out`, compiled once on a machine, takes the passes of any list in order. Which passes a
-material needs is decided in plain Python while the list is made; nothing is decided while it runs.
+A solver writes its step in Python, once, as a list of passes with the rows each works on. Stored as numbers (`write`), the list needs no
+compilation of its own: one small loop, `carry_out`, compiled once on a machine, executes the passes of any list in order. The passes that a
+material needs are chosen in Python while the list is made; nothing is decided while it runs.
 
-A row stands at a `Place`: its address for zone 0 and the number of the *origin* that moves it, so that one list serves every piece of
-zones. Whoever carries a list out says where the origins are, in bytes; origin `FIXED` stays at 0, for scratch and for constants.
+The position of a row is a `Place`: its address for zone 0 and the number of the *origin* that moves it, so that one list serves every piece
+of zones. The caller gives the origins, in bytes; origin `FIXED` stays at 0, for scratch memory and for constants.
 """
 
 from collections.abc import Iterable, Iterator

@@ -7,8 +7,8 @@ A *pass* is a function
 of the number of zones, a NamedTuple of rows (`core.rows`), the time step, a row of numbers (the law's parameters), and the type of the
 law's parameter tuple. `Pass.address` compiles it for one law, keeps the machine code on disk, and gives its address. Whoever calls it
 (`core.pass_lists`) knows the rows but not the law, so that one compiled march serves every law and every combination of laws. Passes of the
-geometry are made for a geometry instead of a law, others for none. Entered once for a piece of some hundred zones, a call costs
-nothing beside the loop.
+geometry are compiled for a geometry instead of a law, others for neither. With one call per some hundred zones, the cost of the call is
+negligible.
 """
 
 import functools

@@ -1,7 +1,7 @@
-"""Registries: one family of laws each, filled by one `add` line per law file.
+"""Registries, one for each family of laws, filled by one `add` line per law file.
 
-A registered law is found by its name (decks, `hugoniot list`) or by the class of its parameter tuple (kernels, theory):
-physics is chosen by the type of the parameters, so a parameter tuple is all a caller needs to carry.
+A registered law is found by its name (decks, `hugoniot list`) or by the class of its parameter tuple (kernels, theory).
+The law follows from the type of the parameters, so a caller needs only a parameter tuple.
 """
 
 import difflib
@@ -36,7 +36,7 @@ class Law:
     box          contract variable -> (low, high): where the example is valid, in SI
     references   where the equation stands, with its number
     build        function from the deck's named values (SI) to the parameter tuple; default: the class itself
-    flags        facts a solver may ask for, such as "linear_in_energy"
+    flags        facts a solver may query, such as "linear_in_energy"
     above, least   parameter name -> what it must be greater than, or not less than
     line         what it is, where one file holds several laws; else the first line of the file says so
     """
@@ -88,7 +88,7 @@ class Registry:
         self._by_class: dict[type, Law] = {}
 
     def add(self, name, parameters, *, functions, units, meaning, references, build=None, **others):
-        """Enrol a law; every argument is a field of `Law`. Refuses a duplicate name and a law that does not keep the contract."""
+        """Register a law; every argument is a field of `Law`. Refuses a duplicate name and a law that does not satisfy the contract."""
         if name in self._by_name or parameters in self._by_class:
             raise ValueError(f"{self.family}: '{name}' is registered already")
         given = {f.__name__: f for f in functions} if not isinstance(functions, Mapping) else dict(functions)

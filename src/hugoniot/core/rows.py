@@ -1,8 +1,8 @@
 """Rows of zones as compiled code sees them: bare pointers to float64 numbers, and views that name the rows of a table.
 
-In a kernel `z.rho[j]` reads the j-th number of the row `rho` of a view of a table, or of a NamedTuple of rows; in Python the same text
-works on a NamedTuple of numpy arrays. Bare pointers keep a call as cheap as in C, and an index into them is never wrapped around, so
-that the vectoriser is not stopped.
+In a kernel `z.rho[j]` reads the j-th number of the row `rho` of a view of a table, or of a NamedTuple of rows; in Python the same source
+works on a NamedTuple of numpy arrays. Bare pointers make a call as cheap as in C, and an index into them is never wrapped around, which
+would prevent vectorisation.
 """
 
 import operator

@@ -2,7 +2,7 @@
 
 A plan has `threads`, the `board` of their team, `share_out`, the address of its function (plan, command, member) that does one member's
 part, and `lead`, the address of what does all parts: of the same function where there is one thread, else of `by_team`. So a march calls an
-address and is compiled once for any number of threads. Which shares are whose stands in the plan, so that no bit depends on who does them.
+address and is compiled once for any number of threads. The plan assigns the shares, so results do not depend on which thread does them.
 """
 
 from typing import Any

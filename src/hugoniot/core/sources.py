@@ -1,7 +1,7 @@
-"""Which source files stand behind a kernel: its own, and those that it or the laws in its arguments import.
+"""The source files on which a kernel depends: its own, and those that it or the laws in its arguments import.
 
-Machine code is kept under a hash of these files, so that an edit reaches every kernel it may touch and no other. Imports are read
-from the text: `import` statements anywhere in a file, also inside functions, and names of modules of the package in quotes. A file is
+Machine code is stored under a hash of these files, so that an edit affects every kernel that may depend on it and no other. Imports are
+read from the text: `import` statements anywhere in a file, also inside functions, and names of modules of the package in quotes. A file is
 read once in a process; what is written later is not what the process runs, so code that depends on it is neither looked for nor kept.
 """
 

@@ -1,7 +1,7 @@
 """Interpolation in tables: bracketing on a grid, bilinear values with their slopes, and the inverse along one axis.
 
 Plain arithmetic and comparisons only, so that a law may call these with floats, dual numbers or inside a kernel. Outside the grid the
-nearest cell is continued; nothing is clipped.
+nearest cell is extrapolated; nothing is clipped.
 """
 
 

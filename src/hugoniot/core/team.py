@@ -1,17 +1,17 @@
 """A team of threads inside compiled code: one leads, the others wait on a word in memory and do their share.
 
-A parallel region of the usual kind costs some microseconds, as long as a thousand zones take; a phase here costs a fraction of
-one. The leader publishes a command by raising the phase counter, every member does the pieces that are its own, and the leader
-goes on when all have signed off. Shares are fixed by the piece's number, so neither the number of threads nor who does a share changes
-a bit.
+A conventional parallel region costs some microseconds, as long as a thousand zones take; a phase here costs a fraction of
+that. The leader issues a command by raising the phase counter, every member does its own pieces, and the leader
+continues when all have signed off. Shares are fixed by the number of the piece, so results depend neither on the number of threads nor on
+which thread does a share.
 
-On a machine that is busy with other work a member may lose its core in the middle of a share, and the leader waits for some
-milliseconds where a phase takes a hundredth of one. Therefore nobody waits at full speed for longer than PATIENCE, and the leader keeps an
-account of the time that phases of the team take beside the time it takes for the same commands alone. When the account is overdrawn, the
-leader does all shares itself for REST times as long as was lost, and tries again: a team costs at most about 1/REST more time than one
-thread. Where trying again fails as well, the rest is doubled, up to LONGEST_REST, until the team has gained its CREDIT: on a machine that
-stays busy hardly anything is lost. A march that begins during a rest has no other threads at all (`at_work`): threads that only sleep
-and look would still take some hundredths of the leader's time.
+On a loaded machine a member may lose its core in the middle of a share, and the leader then waits some
+milliseconds where a phase takes a hundredth of one. No thread therefore spins for longer than PATIENCE, and the leader compares
+the time that phases of the team take with the time it needs for the same commands alone. When the accumulated loss exceeds a limit, the
+leader does all shares itself for REST times as long as was lost, and then tries again: a team costs at most about 1/REST more time than one
+thread. If the next attempt fails as well, the rest is doubled, up to LONGEST_REST, until the team has gained its CREDIT: on a machine that
+stays busy hardly any time is lost. A march that begins during a rest has no other threads at all (`at_work`), because threads that only
+sleep and poll would still take some hundredths of the leader's time.
 
 Words of the board, in lines of 8 (cache lines): line 0: phase, command, rest; line 1, the leader's: account (ns), when to share again (ns),
 when this phase began (ns), whether it is shared, its command, their number; line m + 1, of member m: its signature; words 6 and 7 of these

@@ -23,7 +23,7 @@ def unresolved(problem: Problem, segments: np.ndarray, region_of: np.ndarray) ->
         if zones < FEWEST:
             size = abs(region.end - region.start) / region.zones * zones / FEWEST
             texts.append(f"a void opened in '{region.name}' {zones} zone{'' if zones == 1 else 's'} from the end of that region: "
-                         f"with fewer than {FEWEST} "
+                         f"with fewer than {FEWEST} zones there, "
                          "the number of spall planes and the pull-back depend on the mesh; "
                          f"try zone_size = \"{format_si(size, 'm', 2)}\" there and compare")
     return texts

@@ -37,7 +37,7 @@ def overstretched(problem: Problem, region_of: np.ndarray, peak_tension: np.ndar
             law = f"add [material.{name}.fracture]"
             if problem.solver.kind == "fronts":
                 law = f"run it with lagrange1d and [material.{name}.fracture]"
-            found.append(f"'{region.name}' was under a tension of {format_si(tension, 'Pa', 3)} and material '{name}' has no fracture law: "
-                         f"that is more than {MULTIPLE:g} times {whose}; {law}, or do not rely on the run "
+            found.append(f"'{region.name}' was under a tension of {format_si(tension, 'Pa', 3)}, more than {MULTIPLE:g} times {whose}, "
+                         f"but material '{name}' has no fracture law; {law}, or do not rely on the run "
                          "after that tension")
     return found

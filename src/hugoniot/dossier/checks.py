@@ -103,7 +103,7 @@ def _us_up(row: Row) -> Iterator[Finding]:
             yield Finding(row.id, "branch", "mark", up, math.nan, str(error))
             break
     slowest = min((us / up for up, us in speeds), default=math.inf)
-    yield Finding(row.id, "shock faster than particle", "ok" if slowest > 1.0 else "fail", slowest, 1.0)
+    yield Finding(row.id, "shock velocity above particle velocity", "ok" if slowest > 1.0 else "fail", slowest, 1.0)
     products = [up * us for up, us in speeds]
     rising = all(b > a for a, b in zip(products, products[1:]))
     yield Finding(row.id, "pressure rises with particle velocity", "ok" if rising else "fail")
@@ -170,7 +170,7 @@ def _jwl(row: Row) -> Iterator[Finding]:
 def _jwlb(row: Row) -> Iterator[Finding]:
     energy, velocity, p, _ = on_isentrope(isentrope_of(row), row["rho0"])
     misfit = energy / row["e0"] - 1.0
-    text = f"E0 from tangency {100 * misfit:+.2f} % from the stated value; D {velocity:.0f} m/s, p {p / 1e9:.1f} GPa"
+    text = f"E0 from tangency {100 * misfit:+.2f} % off the stated value; D {velocity:.0f} m/s, p {p / 1e9:.1f} GPa"
     yield _judge(row.id, "E0 from tangency", misfit, ENERGY_LIMIT, text, "mark")
 
 
@@ -204,7 +204,7 @@ def _compression(row: Row) -> Iterator[Finding]:
                                    ("Gamma", par.gamma0, 0.05, 4.0), ("K_S/K_T", par.bulk_modulus / row["bulk_modulus"], 1.0, 1.12)):
         yield Finding(row.id, name, "ok" if low <= value <= high else ("mark" if row.marks else "fail"), value, math.nan)
     slowest = min(material_hugoniot(entry.material, up) / up for up in (250.0, 500.0, 1000.0))
-    yield Finding(row.id, "shock faster than particle", "ok" if slowest > 1.0 else "fail", slowest, 1.0)
+    yield Finding(row.id, "shock velocity above particle velocity", "ok" if slowest > 1.0 else "fail", slowest, 1.0)
 
 
 def _gas(row: Row) -> Iterator[Finding]:
@@ -215,12 +215,12 @@ def _gas(row: Row) -> Iterator[Finding]:
 
 # -- measured states and fits ------------------------------------------------------------------------------------
 def check_point(k: int, point: Row) -> Iterator[Finding]:
-    """A measured state: shock faster than particle, and the pressure its source reports."""
+    """A measured state: shock velocity above particle velocity, and the pressure its source reports."""
     where = f"us_up_points, state {k + 1} ({point.material})"
     ok = bool(point.source and point.via) and point.status in schema.STATUSES
     yield Finding(where, "provenance", "ok" if ok else "fail", text=f"{point.status}; {point.source}; {point.via}")
     up, us = point["up"], point["us"]
-    yield Finding(where, "shock faster than particle", "ok" if us > up else "fail", us, up)
+    yield Finding(where, "shock velocity above particle velocity", "ok" if us > up else "fail", us, up)
     if point.get("pressure"):
         yield _judge(where, "pressure = rho0 Us up", point["rho0"] * us * up / point["pressure"] - 1.0, POINT_LIMIT, otherwise="mark")
 
@@ -277,7 +277,7 @@ def _hugoniot(entry: Entry) -> Iterator[Finding]:
     top = entry.material.valid_up_to or 2000.0
     speeds = [(top * k / 8.0, material_hugoniot(entry.material, top * k / 8.0)) for k in range(1, 9)]
     slowest = min(us / up for up, us in speeds)
-    yield Finding(entry.name, "shock faster than particle", "ok" if slowest > 1.0 else "fail", slowest, 1.0)
+    yield Finding(entry.name, "shock velocity above particle velocity", "ok" if slowest > 1.0 else "fail", slowest, 1.0)
     par = entry.material.eos
     for row in (schema.row(i) for i in entry.rows[:1] if i.startswith("U")):
         if (getattr(par, "c0", None), par.rho0) != (row["c0"], row.get("rho0")):

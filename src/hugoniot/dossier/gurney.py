@@ -17,8 +17,8 @@ from hugoniot.theory.chapman_jouguet import cj
 from hugoniot.theory.isentrope import isentrope
 
 EXPANSION = 4.0
-DERIVED = (f"derived: chemical energy less the internal energy of the products on their CJ isentrope at V = {EXPANSION:g}; where a table "
-           "gives a value too, 0 to 8 % above it")
+DERIVED = (f"derived: chemical energy less the internal energy of the products on their CJ isentrope at V = {EXPANSION:g}; 0 to 8 % above "
+           "the tabulated value, where there is one")
 
 
 class GurneyVelocity(NamedTuple):

@@ -44,7 +44,7 @@ def _warnings(layers: Sequence, velocity: float, met: Sequence[Match]) -> list[s
     for i, layer in enumerate(layers):
         jump = velocity - met[0].left.particle_velocity if i == 0 else met[i - 1].right.particle_velocity
         if layer.valid_up_to and jump > layer.valid_up_to * (1.0 + 1e-9):
-            found.append(f"the data of {layer.name} end at {layer.valid_up_to:.6g} m/s, the shock has up = {jump:.6g} m/s: "
+            found.append(f"the data of {layer.name} end at up = {layer.valid_up_to:.6g} m/s, but the shock has up = {jump:.6g} m/s: "
                          "extrapolated")
         found += layer.warnings
     return list(dict.fromkeys(found))

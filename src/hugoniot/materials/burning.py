@@ -59,18 +59,19 @@ def reactive(material: Material) -> Reactive:
                          "\"thermal_isolation\" with a rate law")
     if not has_reactants(material):
         if "pressure_driven" in law.flags or "temperature_driven" in law.flags:
-            raise OutOfRange(f"{here}: the burn law '{law.name}' is driven by the state of the unburned explosive, which '{kind}' does not "
+            raise OutOfRange(f"{here}: the burn law '{law.name}' depends on the state of the unburned explosive, which '{kind}' does not "
                              "have; choose another mixture")
         if material.detonation_energy is None and "reacted" not in EOS.of(material.eos).flags:
             raise OutOfRange(f"{here}: its products ('{EOS.of(material.eos).name}') contain no chemical energy; give detonation_energy")
         return Reactive(material.burn, build.mixture(kind, None, material.eos))
     if material.unreacted is None:
-        raise OutOfRange(f"{here}: the burn law '{law.name}' with '{kind}' needs the explosive before it burns; give it an [unreacted] "
+        raise OutOfRange(f"{here}: the burn law '{law.name}' with '{kind}' needs the unreacted explosive; give it an [unreacted] "
                          "table with an equation of state")
     mixture = build.mixture(kind, material.unreacted, material.eos, material.detonation_energy, build.IN_A_RUN)
     if not mixture.detonation_energy > 0.0:
-        raise OutOfRange(f"{here}: burning would release {mixture.detonation_energy:.6g} J/kg; give detonation_energy, or products with "
-                         "their E0")
+        raise OutOfRange(f"{here}: burning would release {mixture.detonation_energy:.6g} J/kg, which is not positive; give "
+                         "detonation_energy, or "
+                         "products with their E0")
     if "temperature_driven" in law.flags:
         for role, par in (("unreacted explosive", material.unreacted), ("products", material.eos)):
             if not has_temperature(par):

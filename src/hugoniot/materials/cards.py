@@ -33,7 +33,7 @@ def card(row: Row, family: str = "") -> Card:
     makers = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "tillotson": _tillotson, "gases": _gas, "ignition_growth": _reactant,
               "compression": static_compression.card}
     if row.table not in makers:
-        raise ValueError(f"row {row.id}: no law of the package takes a row of the table {row.table} as it stands")
+        raise ValueError(f"row {row.id}: no law of the package can use a row of the table {row.table} directly")
     return makers[row.table](row)
 
 
@@ -128,7 +128,7 @@ def _jwl(row: Row) -> Card:
     if "e0" in row:
         found["e0"] = row.constant("e0")
     elif "e0_from_isentrope" in row:
-        note = f"row {row.id} gives the principal isentrope with C; E0 from CJ tangency on it"
+        note = f"row {row.id} gives C of the principal isentrope; E0 follows from CJ tangency on it"
         found["e0"] = replace(row.constant("e0_from_isentrope", "e0"), status="derived", note=note)
     else:
         raise ValueError(f"row {row.id} gives no detonation energy E0")

@@ -108,7 +108,7 @@ class Collector:
             for part, inner in value.items() if isinstance(value, dict) else enumerate(value):
                 self.texts((*path, part), inner)
         elif isinstance(value, str) and _CONTROLS.search(value):
-            self.add(path, f"'{printable(value)}' holds control characters", "write it without")
+            self.add(path, f"'{printable(value)}' contains control characters", "write it without")
 
     def unknown(self, path: tuple, known: Iterable[str]) -> None:
         """Report a key that nobody reads."""

@@ -39,6 +39,6 @@ def _softening(name: str, par) -> list[str]:
     for k in range(1, 21):
         density = rho * (1.0 + (COMPRESSED - 1.0) * k / 20.0)
         if density < density_limits(par)[1] and sound_speed_squared(density, e, par) < 0.0:
-            return [f"material '{name}': the law has no sound speed from {density:.6g} kg/m3 on, {100.0 * (density / rho - 1.0):.2g} % "
+            return [f"material '{name}': the law has no real sound speed above {density:.6g} kg/m3, {100.0 * (density / rho - 1.0):.2g} % "
                     "above its density at rest: its pressure falls there with compression; check signs and powers of its coefficients"]
     return []

@@ -8,8 +8,8 @@ The parts add up, pressures as energies:
 $$p_{301} = p_{303} + p_{304} = p_{304} + p_{305} + p_{306}$$
 
 Both styles of text are read: the records of the ASCII exchange format
-(` 0 3720 301 ...`) and the Sandia style of ANEOS (` RECORD TYPE = 301 NWDS = ...`), in g/cm3, K, GPa and MJ/kg. Every problem is one
-DeckError with the file, the line and the remedy.
+(` 0 3720 301 ...`) and the Sandia style of ANEOS (` RECORD TYPE = 301 NWDS = ...`), in g/cm3, K, GPa and MJ/kg. Any problem raises a
+DeckError with the file, the line and a remedy.
 
 Source: Lyon and Johnson, LA-UR-92-3407 (1992): grids hold NR, NT, densities, temperatures, then p, e (and A) with density fastest.
 """
@@ -34,7 +34,7 @@ _ANEOS_INPUT = re.compile(r"^ANEOS[12]?\s", re.MULTILINE)
 
 
 class Record(NamedTuple):
-    """A table as it stands in the file: number of the material (None where the file gives none), of the table, its line, its rows."""
+    """A table as given in the file: number of the material (None where the file gives none), of the table, its line, its rows."""
 
     material: int | None
     number: int
@@ -55,7 +55,7 @@ class Grid(NamedTuple):
 
 
 class Curve(NamedTuple):
-    """Where two phases coexist, SI arrays: temperature, pressure, density and energy of a phase; of 401 of both, (2, n), vapour first."""
+    """Coexistence curve, SI arrays: temperature, pressure, density and energy of a phase; of 401 both phases, (2, n), vapour first."""
 
     number: int
     line: int
@@ -140,10 +140,10 @@ def constants(found: list[Record], material: int | None = None) -> dict[str, flo
 
 
 def sum_differences(found: list[Record], material: int | None = None, name: str = "sesame.txt") -> dict[tuple[int, ...], tuple | None]:
-    """By how much the parts miss the total, for each sum of which the file has all: {parts: (of p, of e, density, temperature)}.
+    """Difference of parts and total, for each sum whose tables are all in the file: {parts: (of p, of e, density, temperature)}.
 
-    The largest of |total - sum| over the sum of the magnitudes of the parts, in pressure and in energy, and where the pressure's is.
-    None where the grids differ, so that no sum can be formed without interpolation.
+    The largest |total - sum| relative to the sum of the magnitudes of the parts, in pressure and in energy, and the point of the largest in
+    pressure. None where the grids differ, so that no sum can be formed without interpolation.
     """
     result: dict[tuple[int, ...], tuple | None] = {}
     for parts in SUMS:
@@ -192,8 +192,8 @@ def _grid(record: Record, name: str, units) -> Grid:
     if len(words) < needed:
         raise _short(record, name, f"{n} densities x {m} temperatures need {needed} words", words)
     if len(words) >= needed + 2 * n * m:
-        raise DeckError.single(name, record.line, str(record.number), "has four values or more at each point, where p, e and the free "
-                               "energy belong: such a file of ANEOS holds entropies and sound speeds", "give NEW-SESAME-STD.TXT")
+        raise DeckError.single(name, record.line, str(record.number), "has four values or more at each point instead of pressure, energy "
+                               "and free energy: such an ANEOS file also holds entropies and sound speeds", "give NEW-SESAME-STD.TXT")
     arrays = [np.array(words[k:k + n * m]).reshape(m, n).T for k in range(2 + n + m, len(words) - n * m + 1, n * m)]
     free = arrays[2] * units[3] if len(arrays) > 2 else None
     return Grid(record.number, record.line, np.array(words[2:2 + n]) * units[0], np.array(words[2 + n:2 + n + m]) * units[1],

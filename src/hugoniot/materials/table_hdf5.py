@@ -76,7 +76,7 @@ def _dataset(file, name: str, path) -> np.ndarray:
         raise DeckError.single(path, None, name, f"the file has no dataset of numbers '{name}', it has {_names(file) or 'none'}",
                                f"it needs {', '.join(UNITS)}")
     if found.external or found.is_virtual:
-        raise DeckError.single(path, None, name, "its numbers lie in another file", "copy them into this one")
+        raise DeckError.single(path, None, name, "its numbers are stored in another file", "copy them into this one")
     if not 0 < (found.size or 0) <= _MOST_VALUES or found.ndim > 2:
         raise DeckError.single(path, None, name, f"is of shape {found.shape}", f"a table has up to {_MOST_VALUES} values")
     unit = found.attrs.get("unit", UNITS[name])

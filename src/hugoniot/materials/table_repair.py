@@ -1,8 +1,8 @@
-"""Repair of tables p(rho, T), e(rho, T) whose energy falls, or stands still, as the temperature rises.
+"""Repair of tables p(rho, T), e(rho, T) whose energy falls, or stays constant, as the temperature rises.
 
-Tables that were put together from phases have such places where the phases meet. They give one energy two temperatures, so no T(rho, e)
-exists there. At such a density some entries are replaced by straight lines in temperature, of pressure and energy alike, between the
-entries that are kept: those among which the energy rises, chosen so that the sum of the changes of the energy is least.
+Tables assembled from several phases have such places at the phase boundaries. There two temperatures have the same energy, so T(rho, e)
+does not exist. At such a density some entries of pressure and energy are replaced by linear interpolation in temperature between the
+entries that are kept. These are chosen so that the energy rises from each to the next and the sum of the changes of the energy is least.
 """
 
 import math

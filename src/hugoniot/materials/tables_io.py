@@ -81,7 +81,7 @@ def _not_sesame(path, window: Window) -> None:
     """Refuse numbers of a material and of its table for a file that holds one table only."""
     for key, asked in (("number", window.material is not None), ("table", window.table != 301)):
         if asked:
-            raise DeckError.single(path, None, key, "belongs to SESAME-format files", "this file holds one table: leave the key out")
+            raise DeckError.single(path, None, key, "applies to SESAME-format files only", "this file holds one table: leave the key out")
 
 
 def read_csv(text: str, name: str = "table.csv", rho0: float = math.nan, reference_temperature: float = 298.15) -> Table:

@@ -32,7 +32,7 @@ def read_materials(path: str | Path) -> dict[str, Entry]:
         raise DeckError.single(path, None, "material", "the file describes no material",
                                "write [material.NAME.eos], or [eos] for one material")
     if not isinstance(named, dict) or not named or not all(isinstance(t, dict) for t in named.values()):
-        raise DeckError.single(path, None, "material", "materials are tables", "write [material.NAME.eos]")
+        raise DeckError.single(path, None, "material", "a material must be a table", "write [material.NAME.eos]")
     collector, found = Collector([], str(path), _line_finder(read_text(path), "material" in tables)), {}
     for name, table in named.items():
         base = base_of(table, collector, ("material", name))

@@ -128,7 +128,7 @@ def _misfits(names, maps, nodes, sides, apart) -> list[MeshDefect]:
             if close.any():
                 x, y = nodes[:, mine[close][0]]
                 message = f"touches block '{names[b]}' near ({x:.6g}, {y:.6g}) m, but their nodes do not coincide there"
-                hint = ("blocks that are one body need the same nodes along the common edge, the same zones and ratio; "
+                hint = ("blocks that are one body need the same nodes along the common edge, that is, the same zones and ratio; "
                         f'bodies that meet there need [[contact]] with between = ["{names[a]}", "{names[b]}"]')
                 found.append(MeshDefect(a, "zones", message, hint))
                 break

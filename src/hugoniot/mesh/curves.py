@@ -21,7 +21,7 @@ def nodes_on(curve: Curve, zones: int, ratio: float) -> np.ndarray:
     if curve.kind == "arc":
         return _arc(points, share)
     if curve.kind == "line" and points.shape[1] != 2:
-        raise ValueError(f"a line has two points, got {points.shape[1]}")
+        raise ValueError(f"a line needs two points, got {points.shape[1]}")
     return _polyline(points, share)
 
 
@@ -43,7 +43,7 @@ def _polyline(points: np.ndarray, share: np.ndarray) -> np.ndarray:
 def circle_through(points: np.ndarray) -> tuple[np.ndarray, float, float, float]:
     """(centre (2,), radius, start angle, signed swept angle) of the arc through three points (2, 3). ValueError if they lie on a line."""
     if points.shape[1] != 3:
-        raise ValueError(f"an arc has three points (start, one between, end), got {points.shape[1]}")
+        raise ValueError(f"an arc needs three points (start, one between, end), got {points.shape[1]}")
     a, b, c = points.T
     u, v = b - a, c - a
     cross = u[0] * v[1] - u[1] * v[0]

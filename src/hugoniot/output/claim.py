@@ -55,8 +55,8 @@ def _refuse_foreign_deck(folder: pathlib.Path, checkpoints: Checkpoints) -> None
     known = _known_deck(folder, checkpoints)
     if path.is_symlink() or (known is not None and hashlib.sha256(data).hexdigest() not in known) or (
             known is None and not data.startswith(b"# Written by hugoniot")):
-        raise FileTrouble(f"{path}: not the deck of the run in this folder (changed since, or put there by hand); it would be lost. "
-                          f"Move it elsewhere, or give another folder with --out")
+        raise FileTrouble(f"{path}: not the deck of the run in this folder (changed since, or put there by hand), and it would be lost; "
+                          f"move it elsewhere, or choose another folder with --out")
 
 
 def _known_deck(folder: pathlib.Path, checkpoints: Checkpoints) -> set[str] | None:
@@ -107,5 +107,5 @@ def same_deck(path: pathlib.Path, kept: str | None) -> str:
     shown = "\n".join("  " + "".join(c if c.isprintable() else "?" for c in line)[:160] for line in lines[:_SHOWN])
     more = f"\n  ... and {len(lines) - _SHOWN} more lines" if len(lines) > _SHOWN else ""
     raise FileTrouble(f"{path}: not the deck this run was started with; it has been changed since (- then, + now):\n{shown}{more}\n"
-                      f"Go on with the first deck: `hugoniot resume {path.parent} --restore-deck`; "
-                      f"run the changed one in a new folder: `hugoniot run {path} --out NEW`")
+                      f"To continue with the original deck: `hugoniot resume {path.parent} --restore-deck`; "
+                      f"to run the changed one in a new folder: `hugoniot run {path} --out NEW`")

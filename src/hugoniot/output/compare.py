@@ -195,7 +195,7 @@ def _of_two_runs(a: Run, b: Run) -> list[str]:
         return []
     apart = [name.replace("_", " ") for name in _SET_UP if a.setup.get(name) != b.setup.get(name)]
     other = f"the decks also differ in: {', '.join(apart)}" if apart else "otherwise the same problem"
-    return [f"a by {solvers[0]}; b by {solvers[1]}; {other}"]
+    return [f"a was run with {solvers[0]}, b with {solvers[1]}; {other}"]
 
 
 def compare(a, b, gauge: str | None = None) -> Comparison:
@@ -213,7 +213,7 @@ def compare(a, b, gauge: str | None = None) -> Comparison:
         raise DeckError.single("compare", None, "--gauge", f"no gauge '{gauge}' in {run.folder}",
                                f"it has: {', '.join(run.gauge_names()) or 'none'}")
     if gauge is not None and not is_table:
-        raise DeckError.single("compare", None, "--gauge", "two runs are compared gauge by gauge", "omit it")
+        raise DeckError.single("compare", None, "--gauge", "two runs are always compared gauge by gauge", "omit it")
     pairs, unmatched, notes = [], [], []
     if not is_table:
         notes += _of_two_runs(run, b if isinstance(b, Run) else load(b))
@@ -230,6 +230,6 @@ def compare(a, b, gauge: str | None = None) -> Comparison:
     name_b = str(b.folder if isinstance(b, Run) else b)
     if not pairs:
         known = ", ".join(sorted({f"{r.gauge} {r.field}" for r in mine})[:8])
-        message = f"nothing in it matches a gauge of {run.folder} over a common time"
+        message = f"it has no record that matches a gauge of {run.folder} and overlaps it in time"
         raise _table_error(name_b, None, "columns", message, f"that run has: {known}")
     return Comparison(str(run.folder), name_b, tuple(pairs), tuple(unmatched), tuple(notes))

@@ -74,7 +74,7 @@ class Run:
         path = self.folder / "fronts.csv"
         if not path.is_file():
             if "fronts.csv" in self.summary.get("sha256", {}):
-                raise FileTrouble(f"{path}: missing, and the run had written it")
+                raise FileTrouble(f"{path}: missing, although the run wrote it")
             return {}
         self._check("fronts.csv")
         try:

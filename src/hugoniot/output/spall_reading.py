@@ -164,7 +164,7 @@ def surface_record(run, name: str | None = None) -> Record:
     if "axes" in run.setup or run.setup["boundaries"]["right"]["kind"] != "free" or "velocity_right" not in rows:
         return Record(np.empty(0), np.empty(0), source="nothing")
     return Record(rows["time"], history(rows, "velocity_right", -1), region=run.setup["regions"][-1]["name"],
-                  source="the snapshots only; a gauge at 'free surface right' would be finer")
+                  source="the snapshots only; a gauge at 'free surface right' would record it more finely")
 
 
 def spalled_regions(run) -> dict[str, float]:
@@ -261,7 +261,7 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
         signal = body["rho0"] * body["c_bulk"] * found.drop
         left = 2.0 * numbers["spall_strength_acoustic"] / signal
         if left < LEAST_SIGNAL:
-            reason = (f"the stress carried by the window '{record.window}' leaves {max(left, 0.0):.0%} of the pull-back for the "
+            reason = (f"the stress carried by the window '{record.window}' leaves only {max(left, 0.0):.0%} of the pull-back for the "
                       f"spall strength; a reliable reading needs {LEAST_SIGNAL:.0%}")
             numbers = {key: value for key, value in numbers.items() if not key.startswith("spall_strength")}
             return Reading(numbers, reason, record=record, found=found)

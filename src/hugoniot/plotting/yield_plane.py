@@ -40,7 +40,7 @@ def pi_plane(run, names=None, times=None, ax=None):
     s = s[:, during]
     if not s.shape[1]:
         raise DeckError.single(run.folder, None, "times", "the gauges have no record between these times",
-                               f"theirs is from {format_si(time[0], 's', 4)} to {format_si(time[-1], 's', 4)}")
+                               f"their record runs from {format_si(time[0], 's', 4)} to {format_si(time[-1], 's', 4)}")
     met = np.nan_to_num(von_mises(s[0], s[1], 0.0, s[2])).max(axis=0)
     sheared = [k for k in range(len(known)) if met[k] > LEAST * largest][:len(COLOURS)]
     picked = [known.index(name) for name in names] if names else sheared

@@ -143,7 +143,7 @@ def _combined(op: ast.operator, a: Number, b: Number) -> Number:
         return Number(value, _checked(tuple(x + sign * y for x, y in zip(a.powers or _PLAIN, b.powers or _PLAIN))))
     if isinstance(op, ast.Pow):
         return _raised(a, b)
-    raise Trouble("an operator that is not allowed in an expression", EXAMPLE)
+    raise Trouble("an expression cannot contain this operator", EXAMPLE)
 
 
 def _same(a: Number, b: Number) -> tuple[int, ...] | None:
@@ -154,7 +154,7 @@ def _same(a: Number, b: Number) -> tuple[int, ...] | None:
 
 def _checked(powers: tuple[int, ...]) -> tuple[int, ...]:
     if max(map(abs, powers)) > LARGEST_POWER:
-        raise Trouble("a unit to a power beyond 9")
+        raise Trouble("a unit is raised to a power above 9")
     return powers
 
 
@@ -166,13 +166,13 @@ def _raised(a: Number, b: Number) -> Number:
         return Number(value, a.powers)
     powers = tuple(power * b.value for power in a.powers or _PLAIN)
     if not all(float(power).is_integer() for power in powers):
-        raise Trouble("a power that gives a fractional unit")
+        raise Trouble("the power gives a fractional unit")
     return Number(value, _checked(tuple(int(power) for power in powers)))
 
 
 def _plain(name: str, x: Number) -> float:
     if x.powers not in (None, _PLAIN):
-        raise Trouble(f"{name} of a quantity with a unit", "divide it by a quantity of its kind first")
+        raise Trouble(f"{name} needs a number without a unit", "divide the quantity by another of its kind first")
     return x.value
 
 

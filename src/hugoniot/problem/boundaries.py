@@ -62,7 +62,7 @@ def read_boundary(value: Any, collector: Collector, path: tuple) -> Boundary | N
     found = [key for key in DRIVEN if key in value]
     if len(found) != 1:
         hint = "write {velocity = \"100 m/s\"} or {pressure = \"1 GPa\"}"
-        collector.add(path, "a driven boundary has one of velocity and pressure", hint)
+        collector.add(path, "a driven boundary needs exactly one of velocity and pressure", hint)
         return None
     pulse = read_pulse(value[found[0]], DRIVEN[found[0]], collector, (*path, found[0]))
     return None if pulse is None else Boundary(found[0], pulse)

@@ -115,8 +115,8 @@ def check_name(name: str, seen: dict[str, int], i: int, collector: Collector, pa
         collector.add((*path, "name"), f"{path[0]} {seen[name] + 1} is called '{printable(name)}' too", "names must differ")
     seen.setdefault(name, i)
     if name != name.strip() or not name.isprintable() or any(c in name for c in kept):
-        hint = f"use printable characters, no {' or '.join(repr(c) for c in kept)}, no blanks at the ends"
-        collector.add((*path, "name"), f"'{printable(name)}' cannot be a name", hint)
+        hint = f"use printable characters, no {' or '.join(repr(c) for c in kept)}, no spaces at the ends"
+        collector.add((*path, "name"), f"'{printable(name)}' is not a valid name", hint)
 
 
 def _zones(row: Any, collector: Collector, path: tuple) -> int | None:
@@ -235,7 +235,7 @@ def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Coll
         elif (a, b) in found:
             collector.add((*path, "between"), f"the pair '{row.between[0]}' and '{row.between[1]}' is described twice")
         elif row.kind == "bond" and regions[b].start > regions[a].end:
-            collector.add((*path, "between"), f"'{regions[a].name}' and '{regions[b].name}' do not touch: a bond acts from the start",
+            collector.add((*path, "between"), f"'{regions[a].name}' and '{regions[b].name}' do not touch, but a bond acts from the start",
                           'kind = "bonded" joins them when they meet')
         else:
             found[a, b] = Interface(regions[a].name, regions[b].name, row.kind, row.strength or 0.0)
@@ -253,7 +253,8 @@ def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collecto
         if row.name in found:
             collector.add((*path, "name"), f"another gauge has the name '{printable(row.name)}'", "names must differ")
         elif row.name != row.name.strip() or not row.name.isprintable():
-            collector.add((*path, "name"), f"'{printable(row.name)}' cannot be a name", "use printable characters, no blanks at the ends")
+            collector.add((*path, "name"), f"'{printable(row.name)}' is not a valid name", "use printable characters, no spaces at the "
+                                                                                           "ends")
         elif is_interface(row.at) and len(row.name) > LONGEST_NAME - len(" right"):
             collector.add((*path, "name"), f"too long a name for a gauge at an interface: '{printable(row.name)}'",
                           f"use up to {LONGEST_NAME - len(' right')} characters: the gauges on its two sides add ' left' and ' right'")

@@ -47,7 +47,9 @@ def read_deck(path: str | Path, overrides: dict[str, Any] | None = None, materia
     path = Path(path)
     try:
         with os.fdopen(open_regular(path), "rb") as file:
-            data = file.read(4 * LARGEST + 1)   # four bytes a character at the most: a result given by mistake is not read to its end
+            if os.fstat(file.fileno()).st_size > 4 * LARGEST:   # four bytes a character at the most: a result given by mistake is not read
+                raise _too_long(path.name)
+            data = file.read(4 * LARGEST + 1)
     except FileTrouble:
         raise
     except OSError as error:
@@ -100,14 +102,18 @@ def write_deck(problem: Any, kind: str | None = None) -> str:
     return "# Written by hugoniot: every default is written out, every number is SI.\n" + to_toml(solver_module(kind).write(problem))
 
 
+def _too_long(name: str) -> DeckError:
+    return DeckError.single(name, None, "deck", f"a deck cannot have more than {LARGEST} characters", "is this the right file?")
+
+
 def parse_deck(text: str, name: str) -> dict:
     """The tables of a deck's text, not looked at yet. Raises `DeckError` where it is not TOML."""
     if len(text) > LARGEST:
-        raise DeckError.single(name, None, "deck", f"more than {LARGEST} characters are too many for a deck", "was another file meant?")
+        raise _too_long(name)
     long = LONG_KEY.search(text)
     if long is not None:
         line = text.count("\n", 0, long.start()) + 1
-        raise DeckError.single(name, line, "deck", f"a key of more than {DEEPEST} parts", "was another file meant?")
+        raise DeckError.single(name, line, "deck", f"a key of more than {DEEPEST} parts", "is this the right file?")
     try:
         raw = tomllib.loads(text)
         _check_values(raw, name)
@@ -162,7 +168,7 @@ def _materials(raw: dict, collector: Collector) -> dict:
         return {}
     for name in tables:
         if not name.strip() or not name.isprintable() or len(name) > 60:
-            collector.add(("material", name), f"'{printable(name)}' cannot be a name", "use up to 60 printable characters")
+            collector.add(("material", name), f"'{printable(name)}' is not a valid name", "use up to 60 printable characters")
     return {name: read_material(name, table, collector, ("material", name)) for name, table in tables.items()}
 
 
@@ -200,7 +206,7 @@ def _override(raw: dict, key: str, value: Any, collector: Collector) -> None:
             break
     if not isinstance(here, dict):
         hint = "write it like region.flyer.velocity"
-        raise DeckError.single(collector.file, None, printable(key), "no such place in the deck to override", hint)
+        raise DeckError.single(collector.file, None, printable(key), "the deck has no such key to override", hint)
     if isinstance(value, dict) and isinstance(here.get(last), dict):
         for inner, v in value.items():
             _override(here[last], inner, v, collector)

@@ -75,7 +75,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
 def advice(problem: Problem) -> list[str]:
     """What is allowed but seldom meant: fronts products would not drive, burn laws of another density, lighting that comes too late."""
     said = material_advice(problem)
-    said += [f"lighting point {k + 1} fires at {format_si(point.time, 's')}, after the run has ended" for k, point in
+    said += [f"lighting point {k + 1} fires at {format_si(point.time, 's')}, after the end of the run" for k, point in
              enumerate(problem.lighting) if point.time > problem.stop_time]
     said += [text for body in programmed_bodies(problem) if (text := _converging_advice(problem, body))]
     for region in problem.regions:
@@ -110,7 +110,7 @@ def _viscosity_advice(solver, material) -> str:
         key, value, usual = "linear", given[1].get("linear"), FOR_PRODUCTS[solver.integrator][1]["linear"]
     if value in (None, 0.0, usual):
         return ""
-    return (f"[solver.viscosity] {key} = {value:g} has no effect in '{material.name}', which burns by a schedule alone: linear viscosity "
+    return (f"[solver.viscosity] {key} = {value:g} has no effect in '{material.name}', whose burn is programmed alone: linear viscosity "
             "would compress it ahead of the front")
 
 
@@ -135,10 +135,11 @@ def _front_advice(problem: Problem, region) -> str | None:
         return None
     ideal = point.detonation_velocity
     excess = speed / ideal - 1.0
-    effect = ("its zones are compressed from behind, and finally crushed" if excess < 0.0 else
+    effect = ("its zones are compressed from behind and finally crushed" if excess < 0.0 else
               f"behind it the pressure stays up to {100.0 * (2.0 * excess) ** 0.5:.2g} % too low" if excess < 0.1 else
               "behind it the pressure stays far below CJ")
-    return (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, its products would drive one at {ideal:.5g} m/s "
+    return (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, but its products would drive one at {ideal:.5g} "
+            "m/s "
             f"(Chapman-Jouguet): {effect}; give burn.detonation_velocity = {ideal:.6g}")
 
 
@@ -161,8 +162,8 @@ def _converging_advice(problem: Problem, body: list[int]) -> str | None:
     region = next((problem.regions[k] for k in body if not follows_compression(problem.materials[problem.regions[k].material])), None)
     if problem.geometry == "planar" or region is None or not lit or min(lit) <= CONVERGING * inner:
         return None
-    return (f"the programmed front of '{region.name}' runs inward from {format_si(min(lit), 'm')} to {format_si(inner, 'm')}: converging, "
-            f"a real front would outrun its schedule, so unlit zones are crushed; use [material.{region.material}.burn] "
+    return (f"the programmed front of '{region.name}' runs inward from {format_si(min(lit), 'm')} to {format_si(inner, 'm')}: a "
+            f"real converging front would outrun this schedule, so unlit zones are crushed; use [material.{region.material}.burn] "
             f"{with_compression(problem.materials[region.material], region)}")
 
 
@@ -185,8 +186,8 @@ def _heat_advice(material) -> str | None:
     own = burning.heat_of(replace(material, detonation_energy=None))
     if abs(material.detonation_energy / own - 1.0) <= SAME_HEAT:
         return None
-    return (f"material '{material.name}': detonation_energy = {format_si(material.detonation_energy, 'J/kg')}, its equations of state give "
-            f"{format_si(own, 'J/kg')}: omit it unless the difference is intended")
+    return (f"material '{material.name}': detonation_energy = {format_si(material.detonation_energy, 'J/kg')}, but its equations of state "
+            f"give {format_si(own, 'J/kg')}: omit it unless the difference is intended")
 
 
 def _start(material, region) -> tuple[float, float] | None:

@@ -81,7 +81,7 @@ def _layer(row: list[float], file: str, line: int, number: int) -> Layer:
         tables["fracture"] = fracture
     if nodes % 2 or nodes < 2:
         raise DeckError.single(file, line, "Nodes", f"{nodes:g} is not an even number of nodes above 0",
-                               "they count centres and edges: 2 per cell")
+                               "KO counts centres and edges: 2 per cell")
     return Layer(f"layer {number}", start * CM, length * CM, int(nodes) // 2, u * SPEED, rho * DENSITY, e * MBAR / (rho * DENSITY),
                  p * MBAR, tables)
 

@@ -33,7 +33,7 @@ _CODE_PRESSURE = 1e11    # Pa: Mbar, in which the pressure coefficient of SG is 
 def read_yaml(text: str, file: str, folders: Sequence[Path] = (Path(),)) -> KoDeck:
     """The deck in a text of YAML; folders: where the paths of its tables may begin, in this order. Raises `DeckError`."""
     if len(text) > LARGEST:
-        raise DeckError.single(file, None, "deck", f"more than {LARGEST} characters are too many for a deck")
+        raise DeckError.single(file, None, "deck", f"a deck cannot have more than {LARGEST} characters")
     try:
         _check_size(text, file)
         raw = yaml.safe_load(text)
@@ -139,7 +139,7 @@ class _Reader:
             if (fracture := fracture_table(limit, least)) is not None:
                 tables["fracture"] = fracture
         if here.get("gravity") is not None:
-            left.append(f"{key}: a start in equilibrium with gravity is left out; [region.profile] can give the pressure over position")
+            left.append(f"{key}: the initial equilibrium with gravity is left out; [region.profile] can give the pressure over position")
         return Layer(str(eos.get("name", key)), self.number(mesh, "xstart", "length", where=key),
                      self.number(mesh, "length", "length", where=key), self.cells(mesh, key),
                      self.number(start, "up0", "velocity", 0.0, where=key), density, self.number(start, "e0", "sp_energy", 0.0, where=key),
@@ -185,7 +185,7 @@ class _Reader:
             found = None
         if found is None:
             raise self.wrong(f"{key}.eos.filestd", f"no table at '{printable(name, 100)}'",
-                             "its path begins in the folder of the deck, the one above, or the current one")
+                             "give a path relative to the folder of the deck, the one above it, or the current one")
         return str(found.resolve())
 
     def cells(self, mesh: dict, key: str) -> int:

@@ -139,14 +139,14 @@ class SolverTable(Table):
 
     kind: Literal["lagrange1d"] = Field("lagrange1d", description="the solver")
     integrator: Literal["compatible", "wilkins"] = Field(
-        "compatible", description="compatible closes the total energy to round-off; wilkins is the classical leapfrog")
+        "compatible", description="compatible conserves total energy to round-off; wilkins is the classical leapfrog")
     courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(
         None, description="Courant number (default: 0.7 if all materials are condensed and inert and no viscosity "
                           "is given, else 0.5; wilkins: 2/3)")
     growth: Annotated[float, Quantity("1", least=1.0, limit=10.0)] = Field(1.1, description="largest growth of the time step per cycle")
     initial_step: Positive | None = Field(None, description="first time step (default: from the Courant condition)")
     largest_step: Positive | None = Field(None, description="largest time step (default: none)")
-    threads: int = Field(1, ge=1, le=1024, description="threads; the result does not depend on them, to the last bit")
+    threads: int = Field(1, ge=1, le=1024, description="number of threads; any number gives the same result, to the last bit")
     max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after this many cycles (default: no limit)")
     viscosity: Any = Field(None, description="table [solver.viscosity] with law = ... and its parameters (default: the solver's)",
                            json_schema_extra={"x-definition": "viscosity_law"})
@@ -178,7 +178,7 @@ class Model(terms.TermTables):
     interface: list[InterfaceTable] = Field(default_factory=list, max_length=100_000, description="how neighbours hold together")
     gauge: list[GaugeTable] = Field(default_factory=list, max_length=MOST_GAUGES, description="Lagrangian gauges")
     lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="where programmed burns start")
-    solver: SolverTable = Field(default_factory=SolverTable, description="how it is solved")  # type: ignore[arg-type]
+    solver: SolverTable = Field(default_factory=SolverTable, description="how the problem is solved")  # type: ignore[arg-type]
     output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
 
 
@@ -209,7 +209,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     problem = completed(Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, solver,
                                 output, lighting, **more))
     if len(problem.gauges) > MOST_GAUGES:
-        collector.add(("gauge",), f"{len(problem.gauges)} gauges are too many, with those beside interfaces and on free surfaces",
+        collector.add(("gauge",), f"{len(problem.gauges)} gauges are too many (those beside interfaces and on free surfaces are counted)",
                       f"the limit is {MOST_GAUGES}")
     for defect in (*explosives.defects(problem), *periodic.defects(problem), *terms.defects(problem), *windows.defects(problem),
                    *output_fields.defects(problem.output, problem.regions, problem.materials)):

@@ -146,7 +146,7 @@ class _Scanner:
         start = self.at
         while not self.text.startswith(mark, self.at):
             if self.at >= len(self.text):
-                raise ValueError("a text without an end")
+                raise ValueError("a string is not closed")
             if quote == '"' and self.text[self.at] == "\\":
                 self.at += 2
             else:

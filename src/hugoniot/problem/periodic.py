@@ -16,7 +16,8 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
         found.append((("geometry",), f"periodic ends need planar geometry, not {problem.geometry}", "radii are not periodic"))
     for k, (one, two) in enumerate(zip(problem.regions, problem.regions[1:]), start=1):
         if two.start > one.end:
-            found.append((("region", k, "from"), f"a gap before '{two.name}': between periodic ends there is one body", "close the gap"))
+            found.append((("region", k, "from"), f"there is a gap before '{two.name}', but between periodic ends all regions form one "
+                                                 "body", "close the gap"))
     for k, gauge in enumerate(problem.gauges):
         if any(kind == "periodic" and gauge.at == f"free surface {side}" for side, kind in kinds.items()):
             found.append((("gauge", k, "at"), f"a periodic end has no '{gauge.at}'", "give a position, or REGION:left"))

@@ -123,7 +123,7 @@ def _first_trouble(profile: Profile, nodes: np.ndarray) -> tuple[str, Trouble] |
 
 def _numbers(values: Any, unit: str, collector: Collector, path: tuple) -> list[float]:
     if not isinstance(values, list):
-        collector.add(path, "expected an array", "positions and the arrays over them belong together")
+        collector.add(path, "expected an array", "give positions together with arrays of values at them")
         return []
     try:
         return [parse(value, unit) for value in values]
@@ -140,11 +140,12 @@ def _check_table(profile: Profile, start: float, end: float, collector: Collecto
     if len(places) < 2 or any(not b > a for a, b in zip(places, places[1:])):
         collector.add((*path, "positions"), "at least two positions are needed, and they must increase")
     elif places[-1] - places[0] > MUCH_LONGER * (end - start) and places[0] <= start and places[-1] >= end:
-        collector.warnings.append(f"{collector.key(path)}: reaches from {places[0]:g} to {places[-1]:g} m, "
+        collector.warnings.append(f"{collector.key(path)}: the profile reaches from {places[0]:g} to {places[-1]:g} m, "
                                   f"{(places[-1] - places[0]) / (end - start):.3g} times the length of the region; "
                                   f"only its part from {start:g} to {end:g} m is used: are its positions in the right unit?")
     elif places[0] > start + 1e-9 * (end - start) or places[-1] < end - 1e-9 * (end - start):
-        collector.add((*path, "positions"), f"reach from {places[0]:g} to {places[-1]:g} m, the region from {start:g} to {end:g} m",
+        collector.add((*path, "positions"), f"reach from {places[0]:g} to {places[-1]:g} m, but the region reaches from {start:g} to "
+                                            f"{end:g} m",
                       "a profile must cover its region")
 
 

@@ -75,7 +75,7 @@ class Model(Table):
     material: dict[str, Annotated[Any, WithJsonSchema({"x-definition": "material"})]] = Field(
         default_factory=dict, description="the material of this deck, [material.NAME.eos]")
     boundary: EndTables = Field(default_factory=EndTables, description="the two ends")  # type: ignore[arg-type]
-    solver: SolverTable = Field(description="how it is solved")
+    solver: SolverTable = Field(description="how the problem is solved")
     output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
 
 
@@ -168,7 +168,8 @@ def _read_shock(raw: Any, regions, collector: Collector) -> dict | None:
         return None
     measures = [name for name in ("mach", "shock_velocity", "particle_velocity", "pressure") if getattr(table, name) is not None]
     if len(measures) != 1:
-        collector.add(("solver", "shock"), "a shock has one measure of strength" + (f", not {' and '.join(measures)}" if measures else ""),
+        collector.add(("solver", "shock"), "a shock needs exactly one measure of strength"
+                      + (f", not {' and '.join(measures)}" if measures else ""),
                       "give mach, shock_velocity, particle_velocity or pressure")
         return None
     shock = {name: value for name, value in table.model_dump().items() if value is not None}

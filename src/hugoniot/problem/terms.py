@@ -113,7 +113,7 @@ def _heat_sources(raw: Any, collector: Collector) -> tuple[HeatSource, ...]:
             collector.add(path, "a heat source needs one of power and intensity", "power in W/kg, or intensity in W/m^2 through a face")
             continue
         if (table.depths is None) != (table.weights is None) or table.depths and len(table.depths) != len(table.weights):
-            collector.add((*path, "depths"), "a profile has as many weights as depths")
+            collector.add((*path, "depths"), "a profile needs as many weights as depths")
             continue
         if table.absorption_length is not None and (table.depths is not None or given[0][0] == "power"):
             collector.add((*path, "absorption_length"), "applies to an intensity without depths",
@@ -157,7 +157,7 @@ def transport_of(table: dict) -> Transport:
     if "viscosity" in table:
         return make(table["viscosity"], table.get("conduction"), table["bulk_ratio"], table["bulk_viscosity"])
     if table["bulk_ratio"] > 0.0 or table["bulk_viscosity"] > 0.0:
-        raise OutOfRange("a bulk viscosity needs a shear viscosity beside it; give viscosity = {law = ...}")
+        raise OutOfRange("a bulk viscosity needs a shear viscosity as well; give viscosity = {law = ...}")
     if table.get("conduction", {"law": "none"})["law"] in ("none", "prandtl"):
         raise OutOfRange("neither viscosity nor heat conduction is given, or a Prandtl number without a viscosity")
     return make(TRANSPORT.get("constant").example, table["conduction"])._replace(shear=None)

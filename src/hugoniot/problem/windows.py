@@ -55,7 +55,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
             found.append((path, f"'{gauge.window}' does not touch the gauge: a window is one of the two regions of an interface",
                           f'at = "REGION/{gauge.window}"'))
         elif gauge.window not in ends:
-            found.append((path, f"the light has to pass other bodies before it reaches the window '{gauge.window}'",
+            found.append((path, f"the light has to pass through other bodies before it reaches the window '{gauge.window}'",
                           "a window is the first or the last region"))
         elif problem.geometry != "planar":
             found.append((path, f"windows are plane, not {problem.geometry}", "leave window out"))

@@ -1,9 +1,9 @@
-"""What every solver owes the time loop, the run, its report and its checkpoints: `Solver`; `LineSolver` and `PlaneSolver` add to it.
+"""The interface of solvers to the time loop, the run, its report and checkpoints: `Solver`, extended by `LineSolver` and `PlaneSolver`.
 
-A solver is made from a complete Problem (`problem.defaults`), owns its arrays and knows no files. The time loop (`solvers.run`) marches it
-from event to event; observers look at what it hands out, which are copies, and change nothing. Whoever writes a solver gives it every
-name below: nothing is asked for that may be missing, and a quantity that a solver does not have is empty, zero or None as said here.
-`NothingToAdd` says so for those that many solvers lack.
+A solver is made from a complete Problem (`problem.defaults`), owns its arrays and reads or writes no files. The time loop (`solvers.run`)
+marches it from event to event; observers receive copies and change nothing. A solver must define every
+name below: no member is optional, and a quantity that a solver does not have is empty, zero or None, as described here.
+`NothingToAdd` provides these defaults for members that many solvers lack.
 
 Everything is in SI. Extensive quantities are those of the problem's geometry: per m^2 (planar), per m and radian (cylindrical), per
 steradian (spherical), per m (plane), per radian (axisymmetric).
@@ -26,7 +26,7 @@ class Event:
     time       s
     cycle      steps taken before it
     position   m, along the line or from the axis or the origin
-    text       a sentence for people, with the place and what it cost
+    text       a sentence for the reader, with the position and the energy lost
     """
 
     kind: str
@@ -38,7 +38,7 @@ class Event:
 
 @runtime_checkable
 class SolverState(Protocol):
-    """What `state` hands out: `hugoniot.state.State` in one dimension."""
+    """The result of `state`: `hugoniot.state.State` in one dimension."""
 
     @property
     def time(self) -> float:
@@ -47,7 +47,7 @@ class SolverState(Protocol):
 
     @property
     def cycle(self) -> int:
-        """How many steps led here."""
+        """Number of steps taken so far."""
         ...
 
     @property
@@ -87,18 +87,18 @@ class Solver(Protocol):
 
     @property
     def zone_updates(self) -> int:
-        """Sum over the steps of the zones (or of what costs as much) that were advanced."""
+        """Number of zones (or work equal to a zone) advanced, summed over the steps."""
         ...
 
     def march(self, until: float, cycles: int) -> list[Event]:
-        """Take steps until the time `until` (hit exactly), `cycles` steps, a full gauge buffer or an event; the events that happened.
+        """Take steps until the time `until` (hit exactly), `cycles` steps, a full gauge buffer or an event; returns the events.
 
         Raises `UnphysicalState` in the cycle it arises, the state left as it was found then.
         """
         ...
 
     def pass_through(self, times) -> bool:
-        """Hit these times (sorted, s) exactly on the way of a march without coming back; False where the solver cannot.
+        """Hit these times (sorted, s) exactly during a march without returning; False if the solver cannot.
 
         A run of which no snapshot is kept takes the same steps in this way; `seen_in_passing` gives the extremes at those times.
         """
@@ -111,7 +111,7 @@ class Solver(Protocol):
     # -- fields and gauges -------------------------------------------------------------------------------------------
     @property
     def region_of(self) -> np.ndarray:
-        """Index of the region (block) of every zone, (nzone,); the same all the run."""
+        """Index of the region (block) of every zone, (nzone,); constant during the run."""
         ...
 
     def state(self) -> SolverState:
@@ -119,11 +119,11 @@ class Solver(Protocol):
         ...
 
     def motion(self) -> SolverState:
-        """A state of which `fields` has at least the places and the velocities: cheaper than `state` where nothing else is wanted."""
+        """A state whose `fields` has at least positions and velocities: cheaper than `state` where nothing else is needed."""
         ...
 
     def take_gauges(self) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-        """(times (n,) s, {field: (n, ngauge)}) recorded since the last call, which forgets them; no fields where there are no gauges."""
+        """(times (n,) s, {field: (n, ngauge)}) recorded since the last call; the buffer is then emptied. No fields without gauges."""
         ...
 
     def phases(self) -> np.ndarray | None:
@@ -135,19 +135,19 @@ class Solver(Protocol):
         ...
 
     def peaks(self) -> dict[str, np.ndarray]:
-        """Largest values every zone has seen, {"peak_...": (nzone,)}; tension positive. Empty where none are kept."""
+        """Largest values of every zone so far, {"peak_...": (nzone,)}; tension positive. Empty where none are kept."""
         ...
 
     # -- accounts ----------------------------------------------------------------------------------------------------
     def errors(self) -> dict[str, float]:
-        """Relative errors of what is conserved, against what passed the ends: `energy_error` and others named `..._error`.
+        """Relative errors of conserved quantities, after accounting for what passed the ends: `energy_error` and others named `..._error`.
 
         NaN for what the scheme does not conserve.
         """
         ...
 
     def exchanges(self) -> dict[str, float]:
-        """What passed the boundaries so far, J and kg m/s: work and impulse of each end, and heat set free inside."""
+        """What passed the boundaries so far, J and kg m/s: work and impulse of each end, and heat released inside."""
         ...
 
     def counts(self) -> dict[str, int]:
@@ -164,7 +164,7 @@ class Solver(Protocol):
 
     # -- words about the run -----------------------------------------------------------------------------------------
     def warnings(self) -> list[str]:
-        """Sentences, after the run, on what a reader has to know before trusting it: what the mesh did not resolve, for instance."""
+        """Sentences, after the run, on what limits its validity: what the mesh did not resolve, for instance."""
         ...
 
     def notes(self) -> list[tuple[str, str]]:
@@ -187,13 +187,13 @@ class Solver(Protocol):
         ...
 
     def restore(self, payload: dict[str, Any]) -> None:
-        """Continue from the payload of a solver of the same problem; what follows has the bits it would have had there."""
+        """Continue from the payload of a solver of the same problem; the results are the same, bit for bit."""
         ...
 
 
 @runtime_checkable
 class LineSolver(Solver, Protocol):
-    """A run in one dimension: its zones stand in a row, and its `state` is a `hugoniot.state.State`."""
+    """A run in one dimension: its zones form a row, and its `state` is a `hugoniot.state.State`."""
 
     @property
     def initial_nodes(self) -> tuple[np.ndarray, np.ndarray]:
@@ -216,7 +216,7 @@ class PlaneSolver(Solver, Protocol):
 
 
 class NothingToAdd:
-    """What a solver says of things it does not have: solvers inherit it and override what they do have."""
+    """Defaults for quantities that a solver does not have: solvers inherit them and override what they do have."""
 
     viscosity: Any = None
     transport: Any = None
@@ -250,7 +250,7 @@ class NothingToAdd:
         return {}
 
     def results(self) -> dict[str, float]:
-        """No numbers beyond the accounts."""
+        """No numbers beyond the balances."""
         return {}
 
     def warnings(self) -> list[str]:

@@ -1,10 +1,10 @@
-"""The only time loop: marches a solver from event to event and hands what happens to observers.
+"""The only time loop: marches a solver from event to event and passes what happens to observers.
 
 Observers are objects with any of `gauges(times, values)`, `snapshot(state)`, `motion(state)` (places and velocities of a
-snapshot), `event(event)`, `progress(report)` and `checkpoint(payload)`; they look, and change nothing. What the loop decides
+snapshot), `event(event)`, `progress(report)` and `checkpoint(payload)`; they do not change the state. What the loop decides
 from the wall clock (how long a burst of cycles lasts, when to checkpoint, when to report) never changes a result: bursts end on
-whole cycles and every step is chosen by the state alone. An interrupt (Ctrl-C) waits for the end of a burst and of what it
-caused, so that the checkpoint it leaves holds neither half a snapshot nor a void that was noticed but not opened.
+whole cycles and every step depends on the state alone. An interrupt (Ctrl-C) takes effect at the end of a burst and of what it
+caused, so that the checkpoint contains neither half a snapshot nor a void that was detected but not opened.
 """
 
 import math

@@ -1,12 +1,12 @@
 r"""Chapman-Jouguet state of any law, by tangency of the Rayleigh line; detonation Hugoniot and overdriven states.
 
-The products leave the front at their own sound speed: with $x = v_0 - v$ on the detonation Hugoniot,
+The products leave the front at their own sound speed. With $x = v_0 - v$ on the detonation Hugoniot this is
 
 $$F(x) = \rho^2 c^2\,x - (p - p_0) = 0, \qquad D = v_0\sqrt{(p - p_0)/x},$$
 
-the point of least detonation velocity. F is negative near constant volume and changes sign once; the search scans for the change,
-then closes in. No gamma-law formula is used. Chemical energy is part of the energy of the upstream state (JWL: e0/rho0) or is given as
-`Initial.heat`. Source: KB codes section 4 with K-E4 corrected; Starkenberg A-5.
+the point of least detonation velocity. F is negative near constant volume and changes sign once; a scan brackets the sign change,
+which is then refined. No gamma-law formula is used. Chemical energy is part of the energy of the upstream state (JWL: e0/rho0) or is given
+as `Initial.heat`. Source: KB codes section 4 with K-E4 corrected; Starkenberg A-5.
 """
 
 import math
@@ -138,7 +138,7 @@ def overdriven(material, initial: Initial | None = None, *, branch: str = "stron
 
 def detonation_hugoniot(material, initial: Initial | None = None, *, points: int = 101, up_to: float | None = None,
                         once: bool = False) -> States:
-    """The Hugoniot with complete reaction: weak detonations from near constant volume, the CJ point, overdriven ones beyond.
+    """The Hugoniot with complete reaction: weak detonations from near constant volume, the CJ point, and overdriven detonations.
 
     Evenly spaced in particle velocity, up to `up_to` m/s (default: 1.4 times that of the CJ point); `once` as in `shock`.
     """
@@ -159,7 +159,7 @@ class Tangency(NamedTuple):
 
 
 def on_isentrope(isentrope: JWLIsentrope, rho0: float) -> Tangency:
-    """The CJ point on the principal isentrope of products, where the Rayleigh line through V = 1, p = 0 touches it, and the energy E0.
+    """The CJ point on the principal isentrope of products, where the Rayleigh line through V = 1, p = 0 is tangent, and the energy E0.
 
     -dp/dV = p/(1 - V), and E0 is what the Hugoniot through that point requires. rho0 of the explosive, kg/m3. Raises `NoSolution`.
     """
@@ -213,7 +213,7 @@ def _tangency(par, ahead, v0, least, most):
             break
     if low is None or high is None:
         raise OutOfRange(f"law '{EOS.of(par).name}' has no Chapman-Jouguet point for an initial density of {ahead.density:.6g} kg/m3: "
-                         f"the upstream energy {ahead.energy:.6g} J/kg with heat {ahead.heat:.6g} J/kg releases nothing; "
+                         f"with an upstream energy of {ahead.energy:.6g} J/kg and a heat of {ahead.heat:.6g} J/kg no energy is released; "
                          "give the heat of reaction")
     side = 0
     for _ in range(200):

@@ -6,7 +6,7 @@ $$\frac{de}{dt} + p\,\frac{dv}{dt} = 0, \qquad \frac{d\lambda}{dt} = \dot\lambda
 
 The lower sign of rho c belongs to the lower characteristic (S-E4: the source prints a plus for both). c is the frozen sound speed. The
 bracket times rho is p_lambda at constant volume and energy for every closure in which both phases have the pressure of the mixture, because
-v and e are sums over the phases; where pressures are weighted instead, p_lambda itself is taken. The last
+v and e are sums over the phases; where pressures are weighted instead, p_lambda itself is used. The last
 term (geometry: d = 1 planar, 2 cylindrical, 3 spherical) is not in the source.
 
 Source: Starkenberg ARL-TR-2161 section 6.
@@ -40,7 +40,7 @@ def geometric_source(state: MixtureState, velocity, position, dimension: int):
 
 
 def mismatch(state: MixtureState, sign: int, pressure_rate, velocity_rate, rate, velocity=0.0, position=1.0, dimension: int = 1):
-    """How far a flow is from the relation along dx/dt = u + sign c, Pa/s; zero for a solution.
+    """Residual of the relation along dx/dt = u + sign c for a flow, Pa/s; zero for a solution.
 
     pressure_rate, velocity_rate   dp/dt and du/dt along that characteristic, Pa/s and m/s2
     rate                           d(burn fraction)/dt of the material, 1/s

@@ -4,10 +4,10 @@ With $y = \ln\rho$,
 
 $$\frac{de}{dy} = \frac{p}{\rho}, \qquad \frac{du}{dy} = c$$
 
-(the first law at constant entropy, and the Riemann invariant of a simple wave: u is the velocity gained while the density
-falls, taken positive with y). Where both right-hand sides are smooth, Gragg's modified midpoint rule with Richardson extrapolation in
-$h^2$ (Bulirsch and Stoer) reaches round-off in few evaluations; a step that does not converge is halved. A law that states
-its smooth pieces (a table its cells) is followed piece by piece, each continued smoothly until the path is found to leave it.
+(the first law at constant entropy, and the Riemann invariant of a simple wave, where u increases with y). Where both right-hand sides are
+smooth, Gragg's modified midpoint rule with Richardson extrapolation in
+$h^2$ (Bulirsch and Stoer) reaches round-off in few evaluations; a step that does not converge is halved. A law that consists of
+smooth pieces (a table of its cells) is integrated piece by piece, each continued smoothly until the path leaves it.
 
 Plain scalar code: `theory.kernels` compiles this same source. A status is returned, never an exception.
 """

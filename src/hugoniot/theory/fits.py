@@ -1,14 +1,14 @@
 r"""Fits: shock against particle velocity with error bars, JWL from a CJ state and an expansion curve, Jordan's adjusted Gamma.
 
-**Us-up.** Least squares of $U_s = \sum_k a_k u_p^k$, linear or quadratic, with the standard deviation of the points about the curve
-and the highest measured $u_p$, beyond which the fit extrapolates (KB codes, section 3), and the covariance of the coefficients.
+**Us-up.** A least-squares fit of $U_s = \sum_k a_k u_p^k$, linear or quadratic. It gives the covariance of the coefficients, the standard
+deviation of the points about the curve and the highest measured $u_p$, beyond which the fit extrapolates (KB codes, section 3).
 
 **JWL.** On the isentrope through the CJ point, with V = v/v0,
 $p = A e^{-R_1V} + B e^{-R_2V} + C V^{-1-\omega}$. For any $R_1, R_2, \omega$ the CJ pressure, the tangency $-dp/dV = p/(1-V)$ and
-the energy $E(V_{CJ}) = E_0 + p(1-V)/2$ are three linear equations for A, B, C, so every trial reproduces the CJ state exactly; the
-exponents alone are fitted to the expansion curve, in $\ln p$. Source: Lee, Hornig and Kury, UCRL-50422, for the form.
+the energy $E(V_{CJ}) = E_0 + p(1-V)/2$ are three linear equations for A, B, C, so every trial reproduces the CJ state exactly, and only the
+exponents are fitted to the expansion curve, in $\ln p$. Source: Lee, Hornig and Kury, UCRL-50422, for the form.
 
-**Gamma that meets the jump** (Jordan eq. 7.1.31, lost in the scan and recovered): see `adjusted_gamma`.
+**Gamma that satisfies the jump conditions** (Jordan eq. 7.1.31, missing from the scan and rederived): see `adjusted_gamma`.
 """
 
 import re
@@ -163,7 +163,8 @@ def _factor(written: str, unit: str) -> float:
 
 def _number(path, line, name, cells, index, factor, unit):
     if index >= len(cells):
-        raise DeckError.single(path, line, name, f"the line has {len(cells)} cells, the column is number {index + 1}", "fill the gap")
+        raise DeckError.single(path, line, name, f"the line has only {len(cells)} cell{'' if len(cells) == 1 else 's'}, but the column is "
+                                                 f"number {index + 1}", "fill the gap")
     try:
         value = float(cells[index]) * factor
     except ValueError:
@@ -258,8 +259,8 @@ def adjusted_gamma(rho0: float, c0: float, s: float, up: float, gamma: float, *,
     $$g = \frac{P_s - \rho_0c_0^2(x + 2sx^2 + 3s^2x^3)}{\rho_se_s - \rho_0c_0^2(x^2/2 + sx^3)}, \qquad x = u_p/U_s, \quad
       P_s = \rho_0U_su_p + P_0, \quad e_s = \frac{P_0}{g_{lit}\rho_0} + \frac{(P_s + P_0)x}{2\rho_0}$$
 
-    rho0 kg/m3, c0 and up m/s, `gamma` the value of the literature, `pressure` P0 ahead, Pa. Source: Jordan eq. 7.1.31, recovered.
-    A law whose reference curve is the exact Hugoniot meets its shock states for any Gamma and needs no adjustment.
+    rho0 kg/m3, c0 and up m/s, `gamma` the literature value, `pressure` P0 ahead, Pa. Source: Jordan eq. 7.1.31, rederived.
+    A law whose reference curve is the exact Hugoniot reproduces its shock states for any Gamma and needs no adjustment.
     """
     us, behind, density, energy = shocked_state(rho0, c0, s, up, gamma, pressure)
     x, modulus = up / us, rho0 * c0 * c0

@@ -1,7 +1,7 @@
 r"""Hugoniot curves of any law from any state: principal, second shock, distended material, with heat of reaction.
 
 The search for one state, with its equations, is in `theory.jump`. Here it is applied to numbers or arrays, directly for a few
-states and compiled (`theory.kernels`) for many, and every search that fails becomes an error that states the limit.
+states and compiled (`theory.kernels`) for many. A search that fails raises an error that states the limit.
 """
 
 import math
@@ -27,7 +27,7 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, once:
     given       exactly one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an
                 array; velocities are in the frame of the laboratory
     direction   +1: the shock runs towards +x, -1: towards -x
-    once        the curve is needed once only: up to ten thousand states are then found without compiling (seconds)
+    once        the curve is needed only once: up to ten thousand states are then computed without compilation, which takes seconds
     Returns `States` of the shape of the input. Raises `OutOfRange` with the limit, or `NoSolution`.
     Source: KB codes eqs 2.7 to 2.13, the energy equation corrected (K-E1 of docs/theory/source_errors.md); Starkenberg A-5.
     """
@@ -56,13 +56,13 @@ def curve(material, initial: Initial | None = None, *, points: int = 101, up_to:
     """The Hugoniot from `initial` as `points` states evenly spaced in particle velocity, from rest to `up_to` m/s.
 
     Default of `up_to`: the material's `valid_up_to`, else the upstream sound speed or 90 % of what the law reaches; `once` as in `shock`.
-    Raises `OutOfRange` for fewer than two points, and an end that is not above rest or that the law does not reach.
+    Raises `OutOfRange` for fewer than two points, and for an end that is not above rest or beyond the range of the law.
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)
     end = (getattr(material, "valid_up_to", None) or _reach(par, ahead)) if up_to is None else up_to
     if not end > 0.0:
-        raise OutOfRange(f"a Hugoniot goes up to a positive particle velocity, not to {end:.6g} m/s")
+        raise OutOfRange(f"the last particle velocity of a Hugoniot must be positive, got {end:.6g} m/s")
     if points < 2:
         raise OutOfRange(f"a curve needs two points or more, got {points}")
     jumps = np.linspace(1e-3 * end if ahead.heat else 0.0, end, points)
@@ -82,8 +82,8 @@ def rayleigh_line(initial: Initial, shock_velocity: float, points: int = 2, part
 def limit(material, initial: Initial | None = None) -> States:
     """The end of the Hugoniot: the state of highest density that the law allows a single shock to reach.
 
-    A density limit of the law (the pole of a linear shock-particle velocity fit), or where 1 - (dp/de)(v0 - v)/2 vanishes
-    (Segletes' stability limit, Starkenberg A-5): there the Hugoniot is vertical: any pressure satisfies the law and
+    It is a density limit of the law (the pole of a linear shock-particle velocity fit), or the point where 1 - (dp/de)(v0 - v)/2 vanishes
+    (Segletes' stability limit, Starkenberg A-5). There the Hugoniot is vertical, and any pressure satisfies the law and
     the jump conditions.
     Pressure or particle velocity are infinite at the end, or finite for a fit with s < 1 (J-E16) and at the edge of a table.
     """
@@ -118,7 +118,7 @@ def limit(material, initial: Initial | None = None) -> States:
 
 
 def residual(material, initial: Initial, states: States):
-    """The largest relative misfit of the three jump conditions and of the law itself, state by state.
+    """The largest relative residual of the three jump conditions and of the law itself, state by state.
 
     Mass, momentum and energy in the frame of the shock, each divided by the largest of its terms; the law's pressure by the
     bulk modulus where that is larger (one unit of round-off in density is that much pressure).
@@ -185,12 +185,12 @@ def _targets(name, value, ahead: Initial, direction: int):
         values = direction * (values - ahead.velocity)
         if (values < 0.0).any():
             raise OutOfRange(f"a {name.replace('_', ' ')} of {values.min():.6g} m/s relative to the material ahead, along the shock, "
-                             "would expand it: a Hugoniot holds in compression only, use an isentrope for release")
+                             "would expand it: a Hugoniot is valid in compression only; use an isentrope for release")
         if mode == jump.BY_SHOCK_VELOCITY and (values == 0.0).any():
             raise OutOfRange("the shock velocity cannot be zero: a shock is faster than sound in the material ahead")
     if mode == jump.BY_PRESSURE and (values < ahead.pressure).any():
         raise OutOfRange(f"a pressure of {values.min():.6g} Pa is below the {ahead.pressure:.6g} Pa ahead of the shock: "
-                         "a Hugoniot holds in compression only, use an isentrope for release")
+                         "a Hugoniot is valid in compression only; use an isentrope for release")
     return mode, values * ahead.density if mode == jump.BY_SHOCK_VELOCITY else values
 
 

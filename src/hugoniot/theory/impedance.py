@@ -1,14 +1,14 @@
-r"""Impedance matching: what a flyer does to a stack of layers, interface by interface, with reshock and release.
+r"""Impedance matching: the states that a flyer produces in a stack of layers, interface by interface, with reshock and release.
 
-At an interface the shock arriving from the left meets a layer at rest; pressure and velocity continue across, so the state is
-where the right-going Hugoniot of the layer ahead meets the reflected curve of the layer behind: a reshock if the layer ahead
+At an interface the shock arriving from the left meets a layer at rest. Pressure and velocity are continuous, so the state is
+the intersection of the right-going Hugoniot of the layer ahead with the reflected curve of the layer behind: a reshock if the layer ahead
 is stiffer, a release isentrope if it is softer. Both are the exact curves of the laws (`theory.riemann`), not the mirror image of
 the principal Hugoniot:
 
 $$u_A - \phi_A(p) = u_B + \phi_B(p), \qquad \phi_k(p) = \begin{cases}\sqrt{(p - p_k)(v_k - v_H(p))} & p > p_k\\[2pt]
   \int_{p_k}^{p} dp/(\rho c) & p < p_k\end{cases}$$
 
-with A the layer behind and B the one ahead. Source: KB codes section 2; Meyers, Dynamic Behavior of Materials, ch. 7, for the method.
+where A is the layer behind and B the one ahead. Source: KB codes section 2; Meyers, Dynamic Behavior of Materials, ch. 7, for the method.
 """
 
 from collections.abc import Sequence
@@ -22,11 +22,11 @@ from hugoniot.theory.states import States, law_of
 
 @dataclass(frozen=True)
 class Match:
-    """One meeting of a wave with an interface.
+    """One interaction of a wave with an interface.
 
     interface     number of the interface (0: flyer and first target)
-    left, right   states on its two sides afterwards; a state made by a shock has its shock_velocity
-    wave_left, wave_right   "shock", "fan" or "none": the waves that leave
+    left, right   states on its two sides afterwards; a state behind a shock has its shock_velocity
+    wave_left, wave_right   "shock", "fan" or "none": the outgoing waves
     """
 
     interface: int
@@ -69,11 +69,11 @@ def match(layers: Sequence, velocity: float, *, initial: Sequence[States] | None
 
 
 def ring_up(layers: Sequence, velocity: float, *, layer: int = 1, bounces: int = 10) -> list[Match]:
-    """The states of one layer as the wave runs to and fro between its neighbours, which count as thick.
+    """The states of one layer as the wave reverberates between its neighbours, which are taken as semi-infinite.
 
     layer     number of the layer in the stack (its neighbours exist on both sides)
-    bounces   how many meetings after the first passage of the stack's shock to the far side of the layer
-    The list begins with the first passage; each further entry is the meeting at the layer's far or near interface in turn.
+    bounces   how many reflections after the first shock has reached the far side of the layer
+    The list begins with the first passage; each further entry is the reflection at the far or near interface of the layer in turn.
     """
     if not 1 <= layer <= len(layers) - 2:
         raise OutOfRange(f"layer {layer} does not have two neighbours in a stack of {len(layers)}: give 1 to {len(layers) - 2}")

@@ -1,7 +1,7 @@
 r"""Isentropes of any law through any state: release to a pressure, a density or a velocity, and to vacuum.
 
-The integrator and its equations are in `theory.expansion`. A wave that moves towards +x (`direction` +1) obeys
-$du = dp/(\rho c) = c\,d\ln\rho$ while the pressure behind it falls; towards -x the sign is reversed.
+The integrator and its equations are in `theory.expansion`. In a simple wave that moves towards +x (`direction` +1)
+$du = dp/(\rho c) = c\,d\ln\rho$; towards -x the sign is reversed.
 """
 
 import math
@@ -26,9 +26,9 @@ def isentrope(material, start: States | None = None, *, direction: int = 1, **gi
 
     start       a single state (default: the law's reference state at rest)
     given       exactly one of density (kg/m3), pressure (Pa), particle_velocity (m/s): a number or an array
-    direction   +1: the change runs into the material as a wave towards +x, so that release lowers the particle velocity;
+    direction   +1: a wave towards +x makes the change, so that release lowers the particle velocity;
                 -1: towards -x (release at a free surface on the right: velocity rises)
-    Raises `OutOfRange` where the isentrope ends (tension it cannot support, a limit of the law), with the state it ends in.
+    Raises `OutOfRange` where the isentrope ends (a tension that is not supported, a limit of the law), with the last state.
     """
     par = law_of(material)
     start = start or reference(par)
@@ -93,7 +93,7 @@ def release(material, start: States, to: float = 0.0, *, direction: int = -1, po
     """The release isentrope from `start` down to the pressure `to`, Pa: its end, or `points` states evenly spaced in pressure.
 
     direction -1 (default): the release runs back towards -x, as from a free surface or a softer neighbour on the right.
-    A law with a memory (crushed pores) releases elastically, as compacted as the loading to `start` left it.
+    A law with a memory (crushed pores) releases elastically, with the compaction reached by the loading to `start`.
     """
     material = elastic(history(material, start))
     if to > start.pressure:
@@ -106,7 +106,7 @@ def release(material, start: States, to: float = 0.0, *, direction: int = -1, po
 def expansion_to(material, start: States, to: float, points: int) -> States:
     """States on the isentrope from `start` to the pressure `to`, Pa, as behind a wave that runs back into the material.
 
-    A release of crushed pores is elastic; pressures of gases and of products fall by equal factors, others by equal steps.
+    A release of crushed pores is elastic. The pressures of gases and products are spaced by equal factors, others by equal steps.
     """
     flags = EOS.of(law_of(material)).flags
     if to <= start.pressure and "reacted" not in flags:
@@ -133,9 +133,9 @@ def grid(material, densities, temperatures) -> tuple[np.ndarray, np.ndarray]:
 
 
 def history(material, start: States) -> Any:
-    """The law as the loading to `start` left it: pores crushed up to there stay so; the law itself where it has no memory.
+    """The law after loading to `start`: pores crushed up to there stay crushed; the law itself where it has no memory.
 
-    A state whose own law (`start.par`) has a history already keeps that, and adds to it what crushed it further.
+    If the law of the state (`start.par`) already has a history, further crushing is added to it.
     """
     par = law_of(material)
     if "remembers" not in EOS.of(par).flags:
@@ -149,7 +149,7 @@ def history(material, start: States) -> Any:
 
 
 def elastic(par) -> Any:
-    """The branch on which a law with a memory unloads and reloads; any other law as it is."""
+    """The branch on which a law with a memory unloads and reloads; any other law unchanged."""
     return contract.unloading(par) if "remembers" in EOS.of(par).flags else par
 
 
@@ -163,7 +163,7 @@ def escape(material, start: States) -> float:
     r"""Velocity gained by expansion into vacuum, m/s: $\int_0^\rho c\,d\ln\rho$, for a law that becomes a gas when thin.
 
     Integrated until $p = \Gamma\rho e$ holds to 1e-13, then the tail 2c/Gamma of an ideal gas (gamma - 1 = Gamma) is added.
-    Raises `OutOfRange` for a law that keeps a cohesive (zero-pressure) density: it spalls instead.
+    Raises `OutOfRange` for a law that has zero pressure at a finite density (a condensed material).
     """
     par = law_of(material)
     y, e, u = math.log(start.density), float(start.specific_internal_energy), 0.0
@@ -185,11 +185,11 @@ def escape(material, start: States) -> float:
 
 
 def residual(states: States) -> float:
-    r"""Largest misfit of de + p dv = 0 between neighbouring states, relative to the energy exchanged.
+    r"""Largest residual of de + p dv = 0 between neighbouring states, relative to the energy exchanged.
 
-    The work between two states is found anew, by Gauss-Legendre quadrature of p/rho in ln(rho) on the isentrope, so that the
-    integrator does not check itself: 12 nodes per piece in which the law is smooth (an edge of a table's cell ends a piece) and per 0.3,
-    halved until both halves agree with the whole, which they do not at a kink of a law (pores that begin to close).
+    The work between two states is computed independently of the integrator, by Gauss-Legendre quadrature of p/rho in ln(rho) on the
+    isentrope. There are 12 nodes per smooth piece of the law (an edge of a table's cell ends a piece) and per 0.3 in ln(rho). Intervals are
+    halved until both halves agree with the whole, which is necessary at a kink of a law (pores that begin to close).
     """
     worst = 0.0
     for i in range(len(states) - 1):

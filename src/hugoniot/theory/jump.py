@@ -5,9 +5,9 @@ With $x = v_0 - v$ (specific volume lost), mass, momentum and energy across a sh
 $$p - p_0 = m^2 x, \qquad m = \rho_0 (U_s - u_0), \qquad (u - u_0)^2 = (p - p_0)\,x, \qquad
   e - e_0 = q + \tfrac12 (p + p_0)\,x .$$
 
-Whatever is given (pressure, particle velocity, shock velocity), pressure and energy are closed functions of $x$ alone and
-the law closes the problem: $g(x) = p_{law}(1/(v_0 - x), e(x)) - p(x) = 0$. In $x$ the root is single where the law is stable,
-also for distended material, whose density may fall along the curve. Given the density, $x$ is known and $p$ is sought.
+For a given pressure, particle velocity or shock velocity, pressure and energy are explicit functions of $x$ alone, and the equation
+of state determines x: $g(x) = p_{law}(1/(v_0 - x), e(x)) - p(x) = 0$. In $x$ the root is single where the law is stable,
+also for distended material, whose density may fall along the curve. If the density is given, $x$ is known and $p$ is sought.
 Newton's method works inside a bracket, which is halved where a step would leave it.
 
 The functions are plain scalar code, so that `theory.kernels` compiles this same source for arrays. They return a status and

@@ -127,8 +127,8 @@ def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
 
     reference   (density, energy) of a point of the reactant's isentrope, energy on the mixture's scale (with Q); needed by
                 "thermal_isolation" only: the state just behind the last shock (Starkenberg section 4.3)
-    Few states are solved as they are, many compiled. Raises NoSolution with the first state that has none, OutOfRange for input outside
-    0..1 or not positive.
+    A few states are solved in Python, many by compiled code. Raises NoSolution with the first state that has no solution, OutOfRange for
+    burn fractions outside 0..1 and for input that must be positive.
     """
     if reference is None:
         if "follows_isentrope" in MIXTURE.of(par).flags:
@@ -167,8 +167,8 @@ def _solve_plainly(rows, par, out) -> None:
 def energy_with(density: float, burn_fraction: float, par, reference, **given) -> float:
     """Energy, J/kg with Q, at which the mixture of that density has the given `pressure` (Pa) or `temperature` (K).
 
-    reference   as of `solve`; its energy is where the search begins. Newton's method, halved where a step leaves the mixture's states.
-    Raises NoSolution where no energy is found, OutOfRange for a temperature the closure or a law does not give.
+    reference   as in `solve`; the search begins at its energy. Newton steps are halved where they would leave the states of the mixture.
+    Raises NoSolution where no energy is found, OutOfRange for a temperature that the closure or a law does not give.
     """
     (name, target), = given.items()
     e = float(reference[1])
@@ -214,7 +214,7 @@ class VanishingSeries:
 def vanishing_series(density: float, energy: float, par) -> VanishingSeries:
     """Expansion about burn fraction 0 at constant volume and energy in thermal isolation (Starkenberg section 5.9, corrected: S-E3).
 
-    The reactant's isentrope passes through (density, energy - Q), as the limit demands. Raises NoSolution without nascent products.
+    The reactant's isentrope passes through (density, energy - Q), as the limit requires. Raises NoSolution without nascent products.
     """
     state = solve(density, energy, 0.0, par, reference=(density, energy))
     mixed = state.mixed()
@@ -231,7 +231,7 @@ def vanishing_series(density: float, energy: float, par) -> VanishingSeries:
 def adiabat(start: MixtureState, volumes, burn_fraction: Callable[[float], float] | None = None) -> MixtureState:
     """States along the mixture adiabat de + p dv = 0 from a single solved state (Starkenberg section 5.7).
 
-    volumes         specific volumes to visit, monotone, m3/kg
+    volumes         specific volumes along the adiabat, monotone, m3/kg
     burn_fraction   burn fraction as a function of volume; None: frozen, and the adiabat is an isentrope
     The reactant's isentrope runs through `start`. Raises NoSolution where no mixture state exists on the way.
     """
@@ -242,7 +242,7 @@ def adiabat(start: MixtureState, volumes, burn_fraction: Callable[[float], float
     def slope(v, e):
         found = contract.equilibrate(1.0 / v, float(e[0]), lam(v), mixed, par)
         if found.status != contract.CONVERGED:
-            raise NoSolution(f"the adiabat meets a volume of {v:.6g} m^3/kg at burn fraction {lam(v):.6g} where "
+            raise NoSolution(f"the adiabat reaches a volume of {v:.6g} m^3/kg at burn fraction {lam(v):.6g} where "
                              f"{contract.MEANING[found.status]}")
         return [-found.pressure]
 

@@ -1,20 +1,20 @@
 r"""Shocks in which part of an explosive burns, and the chemical potential of a mixture.
 
 **Reaction inside the shock** (Starkenberg, section 5.8): the burn fraction rises by $\Delta\lambda_H$ across the front,
-$\lambda = \lambda_u + \Delta\lambda_H$. The remaining reactant is on its own Hugoniot from the upstream state; the products, old and
-new, are in one state, which the jump of the mixture determines:
+$\lambda = \lambda_u + \Delta\lambda_H$. The remaining reactant is on its own Hugoniot from the upstream state. All products, old and
+new, are in the same state, which follows from the jump conditions of the mixture:
 
 $$e - e_u = \tfrac12(p + p_u)(v_u - v), \qquad v = (1-\lambda)v_r + \lambda v_p, \quad e = (1-\lambda)e_r + \lambda e_p .$$
 
-With nothing reacted this is the frozen Hugoniot, if earlier products are on theirs; with all reacted, the detonation Hugoniot. Between
-the two lie partly reacted shocks, whose least velocity at $\Delta\lambda_H = 1$ is that of Chapman and Jouguet.
+With nothing reacted this is the frozen Hugoniot, provided that earlier products are on theirs; with everything reacted it is the detonation
+Hugoniot. Partly reacted shocks lie between the two. At $\Delta\lambda_H = 1$ the least velocity is that of Chapman and Jouguet.
 
 **Chemical potential** (Starkenberg, section 4.1): with the reactants on their isentrope, or both phases at one temperature,
 
 $$\mu = \left(\frac{\partial e}{\partial\lambda}\right)_{v,s} = e_p - e_r + p\,(v_p - v_r) - T\,(s_p - s_r),$$
 
-with T the temperature of the products. Each law has its own zero of entropy; a constant difference between the two adds $T$ times
-itself to $\mu$.
+where T is the temperature of the products. Each law has its own zero of entropy; a constant difference between the two changes $\mu$ by T
+times that difference.
 """
 
 import math
@@ -35,7 +35,8 @@ def reacting_hugoniot(upstream: MixtureState, pressures, reacted: float | Callab
     """Shocked mixtures at given pressures of which a part has burned in the front.
 
     reacted   mass fraction that burns in the shock, or a function of the pressure behind it; with 0 this is `frozen_hugoniot`
-    Velocities relative to upstream. Raises NoSolution where no compressive shock holds the state, OutOfRange for more than is left.
+    Velocities are relative to upstream. Raises NoSolution where no compressive shock gives the state, OutOfRange for more than remains
+    unburned.
     """
     p = np.atleast_1d(np.asarray(pressures, float))
     more = np.array([reacted(float(x)) if callable(reacted) else float(reacted) for x in p])

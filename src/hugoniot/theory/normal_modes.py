@@ -1,7 +1,7 @@
 r"""Normal modes of a plane detonation for any law, any mixture and any rate: small disturbances of the reaction zone of `theory.znd`.
 
-Fields are functions of the burn fraction and time. A rate that sets in at some burn fraction then causes no jump, and one that begins as
-a power of it no infinite slope.
+Fields are functions of the burn fraction and time. A rate that sets in at some burn fraction then causes no discontinuity, and a rate that
+begins as a power of the burn fraction causes no infinite slope.
 
 With $r = d\lambda/dt$ a particle has $D/Dt = \partial_t + r\,\partial_\lambda$, and in the frame of the front, where
 the material runs towards $-x$ and $X = \partial x/\partial\lambda$,
@@ -12,11 +12,11 @@ $$\frac{D\rho}{Dt} = -\frac{\rho u_\lambda}X,\quad \frac{Du}{Dt} = -\frac{p_\lam
 
 with the frozen sound speed c, the displacement of the front $\psi$, and K the velocity of the front at which a particle was shocked: it
 selects the isentrope of isolated reactants. In the steady wave $X = u/r$. Perturbations $(\rho', u', p', x', K')\,e^{\alpha t}$ per
-velocity of the front start from the perturbed shock. $\alpha$ is a mode where nothing runs towards the front from the end of the zone,
-$p' + \rho c u' = 0$ at a given place.
+perturbation of the front's velocity start from the perturbed shock. $\alpha$ is a mode if no acoustic wave runs from the end of the zone
+towards the front, $p' + \rho c u' = 0$ at a fixed position.
 
-The linear equations are integrated by Gauss-Legendre collocation of order sixteen, whose coefficients are found once for a zone:
-slopes of $\rho c^2$, $(\partial p/\partial\lambda)_{v,e}$ and r by differences of fourth order.
+The linear equations are integrated by Gauss-Legendre collocation of order sixteen. Its coefficients are computed once for each zone:
+the slopes of $\rho c^2$, $(\partial p/\partial\lambda)_{v,e}$ and r by fourth-order differences.
 
 Source: the problem is that of J. J. Erpenbeck, Phys. Fluids 5 (1962) 604; the equations are the Euler equations linearised
 (`theory.stability` has another form of them, at given places, for one rate and law).
@@ -60,8 +60,8 @@ class ModesOfZone:
 
     def __init__(self, material, initial: Initial, rate: Any, overdrive: float, panel: float = PANEL):
         if not overdrive >= CLOSEST:
-            raise OutOfRange(f"the overdrive {overdrive:g} must be at least {CLOSEST:g}: towards 1 the end of the zone becomes sonic, "
-                             "and the limit is taken from above")
+            raise OutOfRange(f"the overdrive {overdrive:g} must be at least {CLOSEST:g}: at 1 the end of the zone is sonic, "
+                             "and that limit can only be approached from above")
         if not BURN.knows(rate):
             raise OutOfRange("normal modes need a burn law: the derivatives of its rate by density, pressure and temperature are used")
         self.zone, self.chapman_jouguet, times = zone_of(material, initial, rate, overdrive=overdrive)
@@ -203,7 +203,7 @@ class ModesOfZone:
 
     # -- modes -------------------------------------------------------------------------------------------------------
     def residual(self, alpha: complex) -> complex:
-        """What runs towards the front from the end of the zone, per velocity of the front; zero for a mode (alpha in 1/`time`)."""
+        """Acoustic wave from the end of the zone to the front, per perturbation of its velocity; zero for a mode (alpha in 1/`time`)."""
         y = self.perturbation(alpha)
         return complex(y[2] + self._impedance * y[1]) * cmath.exp(alpha * self._run)
 

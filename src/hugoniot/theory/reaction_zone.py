@@ -1,17 +1,17 @@
-r"""States of a steady reaction zone by reacted fraction: one law that releases heat, or a mixture of reactants and products.
+r"""States of a steady reaction zone as functions of the reacted fraction, for one law that releases heat or for a mixture.
 
 Every state lies on the Rayleigh line of mass flux $m = \rho_0 D$. With $x = v_0 - v$ momentum and energy give
 
 $$p = p_0 + m^2x, \qquad e = e_0 + p_0x + \tfrac12m^2x^2 ,$$
 
-and the equation of state gives how far the reaction has gone at x. **One law** with heat Q obeys $e(\rho, p) = e + \lambda Q$, so
-$\lambda(x)$ is explicit. **A mixture** holds Q in its reactants (Starkenberg section 3), so at every x both density and energy are known
-and
+and the equation of state gives the reacted fraction at x. For **one law** with heat Q, $e(\rho, p) = e + \lambda Q$, so
+$\lambda(x)$ is explicit. In **a mixture** Q is part of the reactants' energy (Starkenberg section 3), so at every x both density and energy
+are known and
 
 $$G(x) = p_{mix}(v_0 - x, e, \lambda) - p_0 - m^2x = 0, \qquad G' = i^2 - m^2,$$
 
-with $i = \rho c$ the frozen impedance. On the branch behind a shock the flow is subsonic, $i > m$, G rises, and Newton's method from
-the compressed side falls monotonically on the root. Where $i = m$ before the burning is over no steady zone of that velocity exists.
+with the frozen impedance $i = \rho c$. On the branch behind a shock the flow is subsonic, $i > m$, so G increases, and Newton's method from
+the compressed side converges monotonically. If $i = m$ before burning is complete, no steady zone with that velocity exists.
 
 Source: Starkenberg ARL-TR-2161 sections 3, 5 and 6; Fickett and Davis, Detonation (1979), chapters 2 and 5.
 """

@@ -1,11 +1,11 @@
 r"""Exact Riemann problem of two arbitrary laws, with shocks, isentropic fans and vacuum.
 
-The pressure and velocity between the two waves are where the wave curves meet. For the side that the wave enters
-(direction d = -1 left, +1 right), the velocity behind a shock to the pressure p is $u + d\sqrt{(p - p_0)(v_0 - v_H(p))}$, behind a
-fan $u + d\int_{p_0}^{p} dp/(\rho c)$ on the isentrope; both by `theory.jump` and `theory.expansion`, without any approximate
+The pressure and velocity between the two waves are those at the intersection of the wave curves. On each side
+(direction d = -1 left, +1 right) the velocity behind a shock to the pressure p is $u + d\sqrt{(p - p_0)(v_0 - v_H(p))}$, behind a
+fan $u + d\int_{p_0}^{p} dp/(\rho c)$ on the isentrope. Both are computed by `theory.jump` and `theory.expansion`, without any approximate
 solver. The pressure is found by Newton's method inside a bracket, with slopes $d/(\rho c)$ on the fan and the differentiated jump
-conditions on the shock. A law with a memory (pores that stay crushed) is released on its elastic branch, as far compacted as the loading
-to the given state left it; the states behind keep that history.
+conditions on the shock. A law with a memory (pores that stay crushed) is released on its elastic branch, with the compaction reached by the
+loading to the given state; the states behind keep that history.
 
 Source: Starkenberg sec. 6 for the host method; Courant and Friedrichs, Supersonic Flow and Shock Waves.
 """
@@ -59,7 +59,7 @@ class Riemann:
     def __call__(self, x, t=1.0) -> dict:
         """The fields at positions x (m, the diaphragm at 0) and time t > 0 (s)."""
         if not t > 0.0:
-            raise OutOfRange(f"a Riemann solution is sampled at a time after zero, not at {t}")
+            raise OutOfRange(f"a Riemann solution needs a time above 0 s, got {t}")
         speed = np.asarray(x, float) / t
         xi = np.atleast_1d(speed).ravel()
         middle = 0.5 * (self.left.behind.particle_velocity + self.right.behind.particle_velocity)
@@ -96,7 +96,7 @@ def riemann(left, left_state: States, right, right_state: States, *, bonded: boo
     left, right               materials or parameter tuples
     left_state, right_state   single states (`theory.isentrope.state` makes one); velocities in m/s
                               (states from an earlier result carry the history of crushed pores)
-    bonded                    True: the contact supports tension; False (default): bodies that would be pulled apart separate
+    bonded                    True: the contact supports tension; False (default): bodies in tension separate
     Raises `OutOfRange` where a state lies outside the range of a law, `NoSolution` if the curves do not meet.
     """
     sides = (_Side(law_of(left), left_state, -1), _Side(law_of(right), right_state, 1))

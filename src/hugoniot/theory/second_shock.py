@@ -1,8 +1,8 @@
-r"""How far a second shock strays from the principal Hugoniot: appendix A of Wilkins, equations A.1 to A.4.
+r"""How much a second shock deviates from the principal Hugoniot: appendix A of Wilkins, equations A.1 to A.4.
 
-For $P = a\mu + b\mu^2 + c(1+\mu)E$ with E per original volume, $\mu = \rho/\rho_0 - 1$, the principal Hugoniot (A.1), its cubic
-(A.2), the Hugoniot from a point $\mu_1$ on it (A.3) and its expansion (A.4). (A.4) as printed is damaged (W-E1: it shows a
-fraction, and b + ac/2 inside the bracket, 17 to 21 % high); the corrected form is
+For $P = a\mu + b\mu^2 + c(1+\mu)E$ with E per original volume and $\mu = \rho/\rho_0 - 1$ these are the principal Hugoniot (A.1), its cubic
+series (A.2), the Hugoniot from a point $\mu_1$ on it (A.3) and its series (A.4). (A.4) as printed is damaged (W-E1: it has a
+fraction, and b + ac/2 inside the bracket, and is 17 to 21 % too high); the corrected form is
 
 $$P = \Big[a\mu + (b + \tfrac{ac}2)\mu^2 + \tfrac c2(b + \tfrac{ac}2)\mu^3\Big]
   - \frac c2\mu\Big[a\frac\delta V + (b + ac)\mu\frac\delta V - \frac c2 a\frac{\delta^2}{V^2}\Big]
@@ -83,7 +83,7 @@ def second_series(mu, mu1: float, law: Quadratic):
 
 
 def second_series_as_printed(mu, mu1: float, law: Quadratic):
-    """(A.4) with b + ac/2 in the bracket, the fraction read as a difference and P1 unshifted: kept to show that the print fails."""
+    """(A.4) with b + ac/2 in the bracket, the fraction read as a difference and P1 unshifted: kept to show that this form is wrong."""
     mu = np.asarray(mu, float)
     a, b, c = law
     shift = _shift(mu, mu1)

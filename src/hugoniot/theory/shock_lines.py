@@ -1,13 +1,13 @@
-r"""Rayleigh and Fanno lines of a shock, for any law: the states that satisfy two of the three balances.
+r"""Rayleigh and Fanno lines of a shock, for any law: the states that satisfy two of the three conservation laws.
 
 In the frame of the shock, mass flux $m = \rho_0U_s$,
 
 $$\text{Rayleigh (mass, momentum):}\quad p = p_0 + m^2(v_0 - v), \qquad
   \text{Fanno (mass, energy):}\quad e + p(\rho, e)\,v + \tfrac12m^2v^2 = e_0 + p_0v_0 + \tfrac12m^2v_0^2 .$$
 
-They meet where all three balances hold, in the states ahead of and behind the shock, which are therefore on the Hugoniot too. In
-between, the states of a shock resolved by viscosity alone lie on the Rayleigh line with its viscous stress, those of one resolved by
-conduction alone on it without; on neither is the entropy highest at the end: along Fanno's it is where the flow is sonic.
+They intersect where all three conservation laws hold: in the states ahead of and behind the shock, which are therefore also on the
+Hugoniot. Inside a shock with conduction but no viscosity the pressure lies on the Rayleigh line; with viscosity but no conduction, the
+total stress does. On neither line is the entropy highest at an end; along the Fanno line it is highest where the flow is sonic.
 
 Source: Jordan (2011), figures 7.1.1 and following.
 """

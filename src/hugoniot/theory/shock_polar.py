@@ -1,7 +1,7 @@
 r"""Shock polars of any equation of state: the pressure behind a steady oblique wave against the angle by which it deflects the stream.
 
-A stream of speed q meets a wave that raises its pressure to p. **Shock** (p above the stream's): only the normal velocity changes; with
-the Hugoniot's v(p)
+A wave changes the pressure of a stream of speed q to p. **Shock** (p above the stream's): only the normal velocity changes; with
+v(p) on the Hugoniot
 
 $$u_n = v_1\sqrt{\frac{p - p_1}{v_1 - v}}, \quad \sin\beta = \frac{u_n}{q}, \quad \tan(\beta - \theta) = \frac{v}{v_1}\tan\beta$$
 
@@ -132,7 +132,7 @@ class Stream:
     def _turning(self, low: float, high: float) -> float:
         """Turning angle of the part of the fan between two pressures, rad."""
         if not low > 0.0:
-            raise OutOfRange(f"a fan is followed to a positive pressure, not to {low:.6g} Pa")
+            raise OutOfRange(f"the final pressure of a fan must be positive, got {low:.6g} Pa")
         middle, half = 0.5 * math.log(low * high), 0.5 * math.log(high / low)
         p = np.exp(middle + half * _NODES)
         q2, c2, rho = self._along(p)
@@ -171,14 +171,14 @@ def meeting(below: Stream, above: Stream, angle: float = 0.0) -> Meeting:
 
     high = min(below.detachment[0], above.detachment[0])
     if high <= max(below.ahead.pressure, above.ahead.pressure) and excess(high) < 0.0:
-        raise NoSolution("the stream of lower pressure cannot be shocked to that of the other without detaching")
+        raise NoSolution("no attached shock raises the stream of lower pressure to the pressure of the other")
     if excess(high) < 0.0:
         raise NoSolution(f"the streams meet at {math.degrees(-angle):.5g} degrees; attached weak shocks can deflect them by at most "
                          f"{math.degrees(below.deflection(high) + above.deflection(high)):.5g} degrees: the wave detaches")
     low = min(below.ahead.pressure, above.ahead.pressure)
     while excess(low) > 0.0:
         if low < 1e-9 * high or low <= 0.0:
-            raise NoSolution("the streams part faster than they can expand: a vacuum opens between them")
+            raise NoSolution("the streams move apart faster than they can expand: a vacuum opens between them")
         low *= 0.7
     for _ in range(100):
         middle = 0.5 * (low + high)

@@ -5,9 +5,10 @@ Shocks of the law from rest have, with $x = 1 - V = u_p/U_s$ and $p = \rho_0U_su
 $$p_H = \frac{p_\Gamma(V) - p_\Gamma(1)}{1 - \tfrac12\Gamma_0x}, \qquad
   p_\Gamma = A\left(1 - \frac{\Gamma_0}{R_1}\right)e^{-R_1V} + B\left(1 - \frac{\Gamma_0}{R_2}\right)e^{-R_2V},$$
 
-linear in A and B, so that for every trial of the exponents they follow by linear least squares; R1 and R2 alone are searched, from several
-starts. The misfit is relative in pressure. The source finds the form poor for linear Hugoniots; the root-mean-square misfits up to
-2, 5 and 10 km/s are: copper 0.01, 0.15 and 0.7 %, aluminium 0.002, 0.05 and 0.3 %, water (s = 2) 0.3, 2 and 5 %.
+which is linear in A and B. For every trial of the exponents A and B follow by linear least squares, and only R1 and R2 are searched, from
+several starts. The misfit is relative in pressure. The source finds the form poor for linear Hugoniots. The root-mean-square misfits up to
+particle velocities of 2, 5 and 10 km/s are 0.01, 0.15 and 0.7 % for copper, 0.002, 0.05 and 0.3 % for aluminium, and 0.3, 2 and 5 % for
+water (s = 2).
 
 Source: Starkenberg A-10.5, with the Hugoniot of S-E12.
 """
@@ -42,10 +43,10 @@ def fit_solid(rho0: float, gamma0: float, up, us) -> SolidFit:
     up, us = np.asarray(up, float), np.asarray(us, float)
     usable = (up > 0.0) & (us > up) & np.isfinite(up * us)
     if np.unique(up[usable]).size < 6:
-        raise OutOfRange("four constants and a deviation need six different particle velocities above 0")
+        raise OutOfRange("a fit of four constants and a deviation needs six different particle velocities above 0")
     x, p = (up / us)[usable], (rho0 * us * up)[usable]
     if not 0.5 * gamma0 * float(x.max()) < 1.0:
-        raise OutOfRange(f"gamma0 = {gamma0:g} puts the pole of the Hugoniot inside the points")
+        raise OutOfRange(f"gamma0 = {gamma0:g} puts the pole of the Hugoniot within the range of the points")
 
     def columns(r):
         return np.column_stack([(1.0 - gamma0 / k) * (np.exp(-k * (1.0 - x)) - np.exp(-k)) / (1.0 - 0.5 * gamma0 * x) / p for k in r])

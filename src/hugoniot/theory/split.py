@@ -1,9 +1,9 @@
-r"""Hugoniots that a single shock cannot follow: the wave splits into a precursor and a slower second shock.
+r"""Shocks that are unstable and split into a precursor and a slower second shock.
 
-A shock to a state behind is stable only if no state between the two runs faster: its Rayleigh line must not cut the Hugoniot. Where the
-shock velocity has a maximum at a lower particle velocity (a solid's pores begin to crush, a phase changes), the wave that stands at that
-maximum runs ahead, and the second shock starts from the state behind it. Both together reach the same particle velocity at another
-pressure than the single jump would.
+A shock is stable only if no weaker shock on the same Hugoniot is faster, that is, if its Rayleigh line does not cross the Hugoniot. Where
+the shock velocity has a maximum at a lower particle velocity (onset of pore collapse, a phase change), the shock at that maximum runs
+ahead, and the second shock starts from the state behind it. Together they reach the same particle velocity at a different pressure from
+that of the single jump.
 
 Source: Zel'dovich and Raizer, Physics of Shock Waves, chapter XI, sections 4 and 19; Herrmann, J. Appl. Phys. 40 (1969) 2490 (P-alpha).
 """

@@ -6,8 +6,9 @@ front displaced by $\psi = \epsilon e^{\alpha t}$ and $w = (\rho, u, p, \lambda)
 
 $$A\,w'_x = w^*_x - \alpha w' - \left(\frac{\partial A}{\partial w}w'\right)w^*_x + \frac{\partial R}{\partial w}w'$$
 
-per unit of the front's velocity $\alpha\psi$, from the perturbed shock, $w'(0) = dw_s/dD$, to the end of the zone, where nothing may run
-towards the front: the part of $p' + \rho c u'$ that the decaying $\lambda'$ does not force vanishes there. $\alpha$ is a mode if that
+per unit of the perturbation $\alpha\psi$ of the front's velocity. Here $w^*$ is the steady wave, A the matrix of the Euler equations and R
+the reaction source. It is integrated from the perturbed shock, $w'(0) = dw_s/dD$, to the end of the zone. No acoustic wave may run from
+there towards the front: the part of $p' + \rho c u'$ that is not forced by the decaying $\lambda'$ must vanish. $\alpha$ is a mode if this
 residual is zero.
 
 Source: J. J. Erpenbeck, Phys. Fluids 5 (1962) 604, and H. I. Lee and D. S. Stewart, J. Fluid Mech. 216 (1990) 103, for the problem; the
@@ -53,8 +54,8 @@ class Wave:
             raise OutOfRange(f"gamma = {self.gamma:g} must exceed 1, the heat {self.heat:g} must be positive and the activation energy "
                              f"{self.activation:g} not negative")
         if not self.overdrive >= CLOSEST:
-            raise OutOfRange(f"the overdrive {self.overdrive:g} must be at least {CLOSEST:g}: towards 1 the end of the zone becomes sonic, "
-                             "and the limit is taken from above")
+            raise OutOfRange(f"the overdrive {self.overdrive:g} must be at least {CLOSEST:g}: at 1 the end of the zone is sonic, "
+                             "and that limit can only be approached from above")
 
     @cached_property
     def velocity(self) -> float:
@@ -87,7 +88,7 @@ class Wave:
         return np.array([-v_d / v**2, 1.0 - v - d * v_d, 2.0 * d * (1.0 - v) - d * d * v_d, 0.0])
 
     def residual(self, alpha: complex) -> complex:
-        """What runs towards the front from the end of the zone, per amplitude of the front's velocity; zero for a mode."""
+        """Amplitude of the acoustic wave from the end of the zone towards the front, per perturbation of its velocity; zero for a mode."""
         start = np.append(self._shock_slopes, 0.0).astype(complex)
         # with s = -ln(1 - lambda) the zone has a finite length and the rate no small denominator
         found = solve_ivp(self._slope, (0.0, -math.log(END)), start, args=(complex(alpha),), method="DOP853", rtol=1e-10, atol=1e-12)
@@ -150,7 +151,7 @@ def nearest(residual: Callable[[complex], complex], guess: complex) -> Mode:
         a, fa, b, fb = b, fb, new, residual(new)
         if abs(b - a) <= 1e-10 * abs(b) and abs(fb) <= most:      # beside a steep rise the secants shrink where there is no zero
             return Mode(b.real, abs(b.imag), abs(fb))
-    raise NoSolution(f"no mode was found from {guess:.4g}")
+    raise NoSolution(f"no mode was found near the starting value {guess:.4g}")
 
 
 def growing(residual: Callable[[complex], complex], highest: float, spacing: float) -> list[Mode]:

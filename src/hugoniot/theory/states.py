@@ -6,7 +6,7 @@ $$c^2 = \left.\frac{\partial p}{\partial\rho}\right|_e + \frac{p}{\rho^2}\left.\
   \Gamma = \frac1\rho\left.\frac{\partial p}{\partial e}\right|_\rho, \qquad K_S = \rho c^2, \qquad
   \gamma = -\left.\frac{\partial\ln p}{\partial\ln v}\right|_s = \frac{\rho c^2}{p},$$
 
-from its two slopes; temperature and entropy are the law's own.
+follow from its two slopes; temperature and entropy are those of the law.
 """
 
 import math
@@ -48,7 +48,7 @@ def has(par, function: str) -> bool:
 
 
 def evaluate(function, rho, e, par):
-    """A scalar function (rho, e, par) of the contract over numbers or arrays; numbers in, number out."""
+    """A scalar function (rho, e, par) of the contract evaluated for numbers or arrays; numbers in, number out."""
     if np.ndim(rho) == 0 and np.ndim(e) == 0:
         return float(function(float(rho), float(e), par))
     rho, e = np.broadcast_arrays(np.asarray(rho, float), np.asarray(e, float))
@@ -61,7 +61,7 @@ class States:
     """Points of one material along a curve: density kg/m3, pressure Pa, specific internal energy J/kg, particle velocity m/s.
 
     Every field is a number, or an array of one shape. `shock_velocity` (m/s) is None where no shock made the state.
-    What follows from the law (temperature, sound speed, ...) is computed on request; None where the law has no such thing.
+    What follows from the law (temperature, sound speed, ...) is computed on request; None where the law does not have it.
     """
 
     par: Any

@@ -1,8 +1,8 @@
 r"""Error bars of any result from the errors of its inputs.
 
-Linear: $\sigma_y^2 = J C J^T$ with the Jacobian by central differences over half a standard deviation, which gives
-the mean slope over the range in which the parameter is expected. Monte Carlo: normal samples of the same covariance, with the
-16th, 50th and 84th percentiles, for answers that are not nearly linear.
+Linear propagation: $\sigma_y^2 = J C J^T$ with the covariance C of the inputs and the Jacobian J by central differences over half a
+standard deviation, which gives the mean slope over the expected range of the parameter. Monte Carlo: normal samples of the same covariance,
+with the 16th, 50th and 84th percentiles, for results that are not nearly linear.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -17,9 +17,9 @@ from hugoniot.theory.states import law_of
 
 @dataclass(frozen=True)
 class Spread:
-    """value: the answer at the nominal parameters; sigma: one standard deviation; low, high: 16 % and 84 % percentiles.
+    """value: the result at the nominal parameters; sigma: one standard deviation; low, high: 16th and 84th percentiles.
 
-    `shares` (linear only) is the part of the variance that each parameter alone brings.
+    `shares` (linear only) is the fraction of the variance due to each parameter alone.
     """
 
     value: float

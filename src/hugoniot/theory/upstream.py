@@ -41,8 +41,8 @@ class Initial:
         if density is not None and p0 > 0.0 and "gas" in EOS.of(par).flags:
             p0 = float(contract.pressure(float(density), e0, par))
         elif density is not None and density > rho0 * (1.0 + 1e-12):
-            raise OutOfRange(f"an initial density of {density:.6g} kg/m3 exceeds the {rho0:.6g} kg/m3 at rest, and pores only make it "
-                             "lower: start from a first shock, or give the law another rest density")
+            raise OutOfRange(f"an initial density of {density:.6g} kg/m3 exceeds the {rho0:.6g} kg/m3 at rest, but pores can only lower "
+                             "it: start from a first shock, or give the law another rest density")
         return cls(rho0 if density is None else float(density), p0, e0, velocity, heat)
 
     @classmethod
@@ -57,7 +57,7 @@ def interval(par, ahead: Initial) -> tuple[float, float, float]:
     v0 = 1.0 / ahead.density
     low, high = density_range(par)
     if ahead.density >= high:
-        raise OutOfRange(f"the initial density {ahead.density:.6g} kg/m3 is beyond the law's highest, {high:.6g} kg/m3")
+        raise OutOfRange(f"the initial density {ahead.density:.6g} kg/m3 exceeds the highest that the law allows, {high:.6g} kg/m3")
     # the search never steps on the law's own pole, nor on infinite density
     return v0, max(0.0, v0 - 1.0 / low), min((v0 - 1.0 / high) * (1.0 - 1e-12), v0 * (1.0 - 1e-9))
 
@@ -72,7 +72,7 @@ def sound_speed_ahead(par, ahead: Initial) -> float:
 
 
 def distended(par, ahead: Initial) -> bool:
-    """Whether the initial state is no state of the law: its pores are empty, its pressure and energy are the solid's."""
+    """Whether the initial state is distended, not a state of the law: its pores are empty, its pressure and energy those of the solid."""
     low, high = density_range(par)
     if not low < ahead.density < high:
         return True

@@ -1,13 +1,13 @@
-r"""Waves in time and space after an impact, without a mesh: every front is tracked and every meeting is a Riemann problem.
+r"""Waves in time and space after an impact, without a mesh: every front is tracked and every interaction is a Riemann problem.
 
-The layers hold piecewise constant states between fronts. A shock moves at its exact velocity; a fan is cut into steps of
-equal pressure, each a jump between two states a, b of one isentrope that moves so as to conserve mass,
+Between fronts the states are constant. A shock moves at its exact velocity. A fan is cut into equal
+pressure steps, each a jump between two states a, b of one isentrope that moves so as to conserve mass,
 
 $$W = \frac{\rho_bu_b - \rho_au_a}{\rho_b - \rho_a};$$
 
-interfaces and free surfaces move with the material. When two fronts meet, the Riemann problem of the outer states (`theory.riemann`)
-gives what leaves. Shocks and their interactions are thus exact; fans converge with the number of steps (errors of second order in the
-step). Bodies separate rather than carry tension, and may meet again.
+Interfaces and free surfaces move with the material. When two fronts meet, the Riemann problem of the outer states (`theory.riemann`)
+gives the outgoing waves. Shocks and their interactions are thus exact; fans converge with the number of steps (errors of second order in
+the step). Bodies separate rather than support tension, and may meet again.
 
 Source: Wave-front tracking after Dafermos, J. Math. Anal. Appl. 38 (1972) 33; Starkenberg section 6 for the local solutions.
 """
@@ -45,7 +45,7 @@ class Front:
 
 @dataclass(frozen=True)
 class Event:
-    """A meeting of fronts: when (s), where (m), what met, and the states on both sides afterwards (None: empty)."""
+    """An interaction of fronts: time (s), position (m), what met, and the states on both sides afterwards (None: empty)."""
 
     time: float
     position: float
@@ -80,8 +80,8 @@ def wave_diagram(layers: Sequence, thicknesses: Sequence[float], velocity: float
     velocity      of the flyer towards +x, m/s
     until         s
     fan           steps into which a fan as strong as the first shock is cut
-    smallest      waves weaker than this part of the impact pressure are let go
-    Raises `OutOfRange` for impossible input or when more than `most_events` meetings happen.
+    smallest      waves weaker than this fraction of the impact pressure are ignored
+    Raises `OutOfRange` for impossible input or when there are more than `most_events` interactions.
     """
     if len(layers) < 2 or len(layers) != len(thicknesses) or not all(t > 0.0 for t in thicknesses) or not velocity > 0.0:
         raise OutOfRange("an impact needs a flyer and a target, a positive thickness of each and a positive velocity")

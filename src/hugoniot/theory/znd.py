@@ -1,10 +1,10 @@
 r"""Structure of a steady detonation (Zeldovich, von Neumann, Doering) for any law, any mixture and any rate.
 
-The states along the zone follow from the Rayleigh line by reacted fraction (`theory.reaction_zone`); what is left is where they lie.
-In the frame of the front $dX/d\lambda = w/r$, $w = m v$, for a rate $r = d\lambda/dt$. Distances follow by Gauss-Legendre quadrature
-between the states; no ordinary differential equation is stepped, so stiffness costs no time. The integrand is
-taken over $s = -\ln(1-\lambda)$, and near $\lambda = 0$ over $\lambda^{1/9}$: rates that begin as a power of $\lambda$ below 1 and end
-as one of $1-\lambda$ are then smooth.
+The states along the zone as functions of the reacted fraction follow from the Rayleigh line (`theory.reaction_zone`); their positions
+remain to be found. In the frame of the front $dX/d\lambda = w/r$, $w = m v$, for a rate $r = d\lambda/dt$. Distances follow by
+Gauss-Legendre quadrature between the states; no differential equation is integrated in steps, so stiff rates take no longer. The variable
+of integration is $s = -\ln(1-\lambda)$, and near $\lambda = 0$ it is $\lambda^{1/9}$. Integrands of rates that begin as a power of
+$\lambda$ below 1, or end as a power of $1-\lambda$, are then smooth.
 
 Source: Starkenberg ARL-TR-2161 section 6; Fickett and Davis, Detonation.
 """
@@ -80,7 +80,7 @@ def znd(material, initial: Initial, rate: Rate | Any, *, overdrive: float = 1.0,
     rate        parameters of a burn law, or a function (density, energy, pressure, fraction) -> d(fraction)/dt, 1/s, positive
                 below fraction 1
     overdrive   f = (D/D_CJ)^2 >= 1, unless `velocity` (m/s) is given
-    complete    fraction at which the profile ends: a first-order rate never finishes
+    complete    fraction at which the profile ends (a first-order rate never reaches 1)
     Raises `OutOfRange` for a velocity below the CJ one, a zone that chokes, or a rate that never begins; `NoSolution` for one that
     stops inside the zone.
     """
@@ -143,7 +143,7 @@ def _rate_function(rate, zone) -> Callable[[Point], float]:
         return lambda point: rate(point.density, point.energy, point.pressure, point.fraction)
     law = BURN.of(rate)
     if {"programmed", "instantaneous"} & law.flags:
-        raise OutOfRange(f"the burn law '{law.name}' burns by a schedule or at once and has no rate, so its zone has no structure: "
+        raise OutOfRange(f"the burn law '{law.name}' is programmed or instantaneous, without a rate, so its zone has no structure: "
                          "give a rate, such as ignition_growth, arrhenius or pressure_power")
     warm = "temperature_driven" in law.flags
     if warm and not math.isfinite(zone.temperature(zone.at(0.0))):

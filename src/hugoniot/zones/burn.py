@@ -1,4 +1,4 @@
-"""Burning of a zone: how its burn fraction grows in a step, and how fast it burns, which the time step has to follow.
+"""Burning of a zone: the growth of its burn fraction in a step, and the rate, which limits the time step.
 
     burn     burn fractions at the end of a step, by schedule and by rate
     rates    rates of burning
@@ -26,7 +26,7 @@ subcycles = flag_of(BURN, "subcycled")                     # whether its `advanc
 
 @only_if(lambda rate: "temperature_driven" in BURN.of_class(rate).flags, otherwise=0.0)
 def burn_temperature(lam, mixed, mixture, rate):
-    """Temperature for a burn law that asks for one; 0 for the others, at no cost."""
+    """Temperature for a burn law that needs one; 0 for the others, at no cost."""
     return mixture_temperature(lam, mixed, mixture)
 
 
@@ -111,7 +111,7 @@ def pace_pass(count, z, dt, numbers, law):
 
 @zone_pass("reference shocked")
 def was_passing_pass(count, z, dt, numbers, law):
-    """1 where a shock was passing at the end of the step before."""
+    """1 where a shock was passing at the end of the previous step."""
     rows_apart()
     for j in range(count):
         z.shocked[j] = 1.0 if z.reference[j] == PASSING else 0.0

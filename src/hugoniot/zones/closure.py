@@ -1,14 +1,14 @@
-"""Closure of inert material: what an equation of state says of a zone whose density is known.
+"""Closure of inert material: the equation of state applied to a zone whose density is known.
 
     pressure     p at a given energy (the middle of a step)
     state        p and c^2 at a given energy, pores compacted (its end)
     settle       energy and pressure together, e + (p + p_old) dv/2 = e_old + given (a leapfrog: Wilkins B.2 item 8)
-    stiffness    c^2 alone, for those who ask for it before the state is known
-    temperature  T, for strength laws that ask for one
-    rest         density from which a fracture law counts volume strain
+    stiffness    c^2 alone, where it is needed before the state is known
+    temperature  T, for strength laws that need it
+    rest         density from which a fracture law measures volume strain
 
-Passes take the specific volume v of the solid: laws that ask for rho0/rho alone, as those on a Hugoniot do, then need no division.
-Sound is elastic, on the unloading branch of a law with memory: a release outruns the wave that crushes.
+Passes take the specific volume v of the solid: laws that use only rho0/rho, such as those on a Hugoniot, then need no division.
+The sound speed is elastic, on the unloading branch of a law with memory: a release outruns the crushing wave.
 """
 
 from hugoniot.core.ops import late_over
@@ -32,7 +32,7 @@ def pressure_pass(count, z, dt, numbers, law):
 
 @zone_pass("v e compaction p c2")
 def state_pass(count, z, dt, numbers, law):
-    """v, e, compaction (led on) -> p, c2 (m2/s2)."""
+    """v, e, compaction (advanced) -> p, c2 (m2/s2)."""
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
@@ -49,7 +49,7 @@ def state_pass(count, z, dt, numbers, law):
 
 @zone_pass("v dv given e p compaction c2")
 def settle_pass(count, z, dt, numbers, law):
-    """v, dv (change of the specific volume), given (energy that others than the pressure gave, J/kg); e, p, compaction led on -> c2."""
+    """v, dv (change of the specific volume), given (energy that others than the pressure gave, J/kg); e, p, compaction advanced -> c2."""
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):

@@ -1,4 +1,4 @@
-"""What the zones of a material know besides their laws: a row of numbers that passes read by name."""
+"""Constants of the zones of a material besides its laws: a row of numbers that passes read by name."""
 
 from typing import NamedTuple
 

@@ -1,7 +1,7 @@
-"""Fracture of a zone: damage, how near it is to failure, and voids that grow in it at the tension its law caps.
+"""Fracture of a zone: damage, how close it is to failure, and the growth of voids at the largest tension that its law allows.
 
-Voids grow at the capped tension and close at zero stress. The changes are consistent to first order; the next step's equation of state,
-which sees the solid's own volume, takes up the rest.
+Voids grow at that tension and close at zero stress. The changes are consistent to first order; the equation of state of the next step,
+evaluated at the volume of the solid alone, corrects the rest.
 """
 
 from hugoniot.core.ops import fmax, fmin
@@ -41,7 +41,7 @@ def fracture_pass(count, z, dt, numbers, law):
     """Damage, failure and its largest ratio; voids, the pressure they relieve and the flow beside them, and how many zones they held.
 
     t1 (Pa), c2, rho of the solid, v (of solid and voids), rest density -> failure, relief (Pa), how much voids grew (m3/kg, where any
-    stand); what is found. p, flow, damage and voids (m3/kg) are led on. Voids are looked after only in pieces that have some, or a zone
+    stand); what is found. p, flow, damage and voids (m3/kg) are advanced. Voids are looked after only in pieces that have some, or a zone
     at the tension its law caps: most have neither.
     """
     rows_apart()

@@ -1,4 +1,4 @@
-"""The laws of the zones of a material, and what they ask of a solver: known once for a material, not in every zone."""
+"""The laws of the zones of a material and what they need from a solver, determined once per material, not in every zone."""
 
 from typing import Any, NamedTuple
 
@@ -49,7 +49,7 @@ class Laws(NamedTuple):
 
     @property
     def is_bare(self) -> bool:
-        """Whether nothing stands for the explosive before it burns."""
+        """Whether the explosive has no law before it burns."""
         return self.burns and mixture.bare(self.eos.mixture)
 
     @property
@@ -69,12 +69,12 @@ class Laws(NamedTuple):
 
     @property
     def needs_temperature(self) -> bool:
-        """Whether its strength asks for a temperature."""
+        """Whether its strength needs a temperature."""
         return "needs_temperature" in STRENGTH.of(self.strength).flags
 
     @property
     def needs_bulk_modulus(self) -> bool:
-        """Whether its strength asks for the bulk modulus."""
+        """Whether its strength needs the bulk modulus."""
         return "needs_bulk_modulus" in STRENGTH.of(self.strength).flags
 
     @property

@@ -1,16 +1,16 @@
-"""Closure of burning material: a mixture of reactants and products stands where inert material has an equation of state.
+"""Closure of burning material: a mixture of reactants and products in place of the equation of state of inert material.
 
     solve        pressure and both phases at a given energy and burn fraction
     slopes       c^2 and dp/de of a solved mixture
     temperature  T of a solved mixture
-    bare, isolates   what a closure is: without reactants, with reactants on an isentrope
+    bare, isolates   kind of a closure: without reactants, with reactants on an isentrope
 
-Most zones of a charge have not begun to burn or have ended, and are plain material. Every stretch of zones that have all burned nothing,
-all burned whole, or all burned a part goes through the same loop: with a burn fraction of 0 or 1 that is known when it is compiled,
-nothing of a mixture is left in it, and it is packed like that of inert zones.
+Most zones of a charge have not begun to burn or have burned out, and are plain material. Runs of zones that are all unburned,
+all burned out, or all burning go through the same loop. For a burn fraction of 0 or 1 that is known when it is compiled,
+the loop contains nothing of a mixture and is vectorised like that of inert zones.
 
-The state a search starts from is that of the step before, warmed by the share of the step's heat its phases take (`heat`). A search
-that fails leaves its status. Passes are compiled for a mixture, whatever the rate it burns at.
+A search starts from the state of the previous step, heated by the share of the step's heat that its phases receive (`heat`). A search
+that fails leaves its status. Passes are compiled for a mixture, independent of its burn law.
 
 Source: Starkenberg ARL-TR-2161 sections 3 to 5; `docs/theory/mixtures.md`.
 """
@@ -43,7 +43,7 @@ def whole(lam):
 
 
 def before(z, j):
-    """The phases of the step before, warmed."""
+    """The phases of the previous step, warmed."""
     return heated(phases(z, j), z.heat[j])
 
 

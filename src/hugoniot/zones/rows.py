@@ -1,4 +1,4 @@
-"""Passes that only move numbers between rows."""
+"""Passes that only copy numbers between rows."""
 
 from hugoniot.core.ops import fmax
 from hugoniot.core.passes import rows_apart, zone_pass

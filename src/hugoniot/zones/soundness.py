@@ -1,4 +1,4 @@
-"""What a state must be, and the peaks a zone has seen: looked at after every step while the numbers are at hand."""
+"""Validity checks of a state, and the peak values of a zone, evaluated after every step."""
 
 from collections import namedtuple
 

@@ -1,7 +1,7 @@
-"""What the material of zones does in a step, in the order in which it happens, written into a list of passes.
+"""The response of a material in a step, in order, written into a list of passes.
 
-A solver lends its rows under the names used here; which passes a material takes is decided here, once, by its laws. Nothing here knows
-a dimension: strains, the elastic trial and the return to the yield surface are the solver's.
+A solver provides its rows under the names used here. The passes that a material needs are chosen here, once, from its laws. Nothing here
+depends on the dimension: strains, the elastic trial and the return to the yield surface belong to the solver.
 """
 
 from typing import Any
@@ -86,7 +86,7 @@ class MaterialSteps:
 
     # -- closure -------------------------------------------------------------------------------------------------------------
     def pressure(self, solid, solid_v, e, p) -> None:
-        """Pressure of inert material at a given energy in the middle of a step, and c^2 where it is asked for."""
+        """Pressure of inert material at a given energy in the middle of a step, and c^2 where it is needed."""
         if self.bulk_first and not self.laws.remembers:
             self.state(solid_v, e, p)
             return
@@ -94,7 +94,7 @@ class MaterialSteps:
         self.stiffness(solid, solid_v, e, p)
 
     def state(self, solid_v, e, p) -> None:
-        """Pressure and c^2 of inert material at a given energy; what remembers is led on."""
+        """Pressure and c^2 of inert material at a given energy; the history is advanced."""
         self.do(closure.state_pass, (solid_v, e, self.at.z.compaction, p, self.at.w.c2), law=self.laws.eos)
 
     def settle(self, solid_v) -> None:
@@ -103,7 +103,7 @@ class MaterialSteps:
         self.do(closure.settle_pass, (solid_v, w.dv, w.given, z.e, z.p, z.compaction, w.c2), law=self.laws.eos)
 
     def stiffness(self, solid, solid_v, e, p) -> None:
-        """c^2 before the state is known, where it is asked for: of inert material, or of the phases of the step before."""
+        """c^2 before the state is known, where it is needed: of inert material, or of the phases of the previous step."""
         b, w = self.at.b, self.at.w
         if self.bulk_first and not self.laws.burns:
             self.do(closure.stiffness_pass, (solid_v, e, p, self.at.z.compaction, w.c2), law=self.laws.eos)
@@ -112,7 +112,7 @@ class MaterialSteps:
 
     # -- strength ------------------------------------------------------------------------------------------------------------
     def _temperature(self, solid, e) -> Place:
-        """The row of temperatures, for laws that ask for one."""
+        """The row of temperatures, for laws that need one."""
         z, w = self.at.z, self.at.w
         if not self.laws.needs_temperature:
             return w.zero
@@ -176,7 +176,7 @@ class MaterialSteps:
         self.do(burn.burn_pass, (b.lam, b.since, b.size, rho, end_rho, drive, q, z.p, *self.phases, new), step, law=self.laws.eos)
 
     def mix(self, solid, e, lam, heat, p, status) -> None:
-        """Pressure into the row p and phases into the scratch rows, from those of the step before warmed by `heat`; slopes of the pure."""
+        """Pressure into the row p and phases into the scratch rows, from those of the previous step after `heat`; slopes of the pure."""
         w = self.at.w
         self.do(mixture.solve_pass, (solid, e, lam, heat, self.at.z.p, *self.phases, p, *self.new_phases, status, w.c2, w.p_e),
                 law=self.laws.eos.mixture)
@@ -190,7 +190,7 @@ class MaterialSteps:
         self.do(burn.keep_phases_pass, (*self.new_phases, self.at.w.status, *self.phases, self.at.b.status))
 
     def share_old_heat(self, heat) -> None:
-        """What phases take of `heat`, as far as a shock was passing at the end of the step before, into b.heat."""
+        """What phases take of `heat`, as far as a shock was passing at the end of the previous step, into b.heat."""
         b, w = self.at.b, self.at.w
         self.do(burn.was_passing_pass, (b.reference, w.shocked))
         self.do(burn.share_heat_pass, (w.shocked, heat, b.heat))
@@ -207,7 +207,7 @@ class MaterialSteps:
         self.do(burn.lead_on_pass, (lam, self.at.w.shocked, b.lam, b.since, b.reference))
 
     def pace(self, inverse_width) -> None:
-        """What burning asks of the time step, at the end of a step."""
+        """What burning requires of the time step, at the end of a step."""
         z, b, w = self.at.z, self.at.b, self.at.w
         if self.laws.burns:
             self.do(burn.rates_pass, (b.lam, z.rho, z.p, z.q, *self.phases, w.pace), law=self.laws.eos)

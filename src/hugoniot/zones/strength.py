@@ -1,7 +1,7 @@
-"""Strength of a zone: shear modulus, and the flow stress with the plastic strain that meets it.
+"""Strength of a zone: shear modulus, and the flow stress with the plastic strain that satisfies it.
 
-The elastic trial and the return to the yield surface belong to the tensor of a dimension; a solver writes them around `modulus` and
-`yielding` into one pass (`stress`, `tensor`), compiled for a law and a tensor. What passes between them is the equivalent stress
+The elastic trial and the return to the yield surface depend on the tensor of a dimension; a solver combines them with `modulus` and
+`yielding` in one pass (`stress`, `tensor`), compiled for a law and a tensor. The quantity passed between them is the equivalent stress
 sqrt(3/2 s:s) of the trial state.
 
 Source: Wilkins B.2 items 5 and 6; Herrmann A.18.
@@ -90,7 +90,7 @@ def unburned(lam, material):
 
 @zone_pass("limit flow v plastic_work plastic_strain")
 def harden_pass(count, z, dt, numbers, law):
-    """Plastic strain and work of the step; stretches of zones in which none flows are passed over."""
+    """Plastic strain and work of the step; stretches of zones in which none flows are skipped."""
     rows_apart()
     first = 0
     while first < count:

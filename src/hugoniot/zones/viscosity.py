@@ -1,4 +1,4 @@
-"""Artificial viscosity of a zone: its signal speed, the jump it resists, the smoothness that switches it off."""
+"""Artificial viscosity of a zone: its signal speed, the velocity jump, and the smoothness that switches it off."""
 
 from typing import Any, NamedTuple
 
@@ -43,10 +43,10 @@ def resisting_speed(v, c, p, squeeze, smooth, law):
 
 
 def at_middle(du, q, mobility, resistance):
-    """What is left, in the middle of a step, of a velocity jump `du` that was led on to it, once its own viscous pressure has changed, m/s.
+    """A velocity jump `du` extrapolated to the middle of a step, corrected for the change of its own viscous pressure, m/s.
 
-    It was led on by an acceleration one step old, the viscous pressure `q` of that step in it, and zones that close and open in turn would
-    swing up in long steps. What the change of q since does to the jump, `mobility` (m/s per Pa), is taken from q in the middle,
+    It was extrapolated with an acceleration one step old, the viscous pressure `q` of that step in it, and zones that close and open in
+    turn would swing up in long steps. What the change of q since does to the jump, `mobility` (m/s per Pa), is taken from q in the middle,
     -resistance du. It only reduces the jump: where q falls, behind a front that burns, it would come too late.
     """
     own = (du - mobility * q) / (1.0 + mobility * resistance)
@@ -58,6 +58,6 @@ def signal_speed(c, w, q, rho):
 
     Shocks overshoot where a step does not follow what q changes in it. Weak jumps need less care: with the reduction of `at_middle` linear
     waves of all lengths are damped by any w in steps of 0.7 times the zone's width over this speed, as long as shear modulus and energy
-    have no more than 0.7 of the stiffness: their stress in the middle of the step follows the velocities led on to it.
+    have no more than 0.7 of the stiffness: their stress in the middle of the step follows the velocities extrapolated to it.
     """
     return c + (2.0 * w if q > WEAK * rho * c * w else w * (1.0 / 3.0))

@@ -18,9 +18,9 @@ class Straight:
         return {"values": [float(value) for value in values]}
 
 
-def problem(model, data, sigma, ranges, shift=0.0, scale=0.0, loss="linear"):
-    """A fit of model(times, *values) to data at TIMES without any deck."""
-    wide = np.linspace(-1.0, 2.0, 3001)
+def problem(model, data, sigma, ranges, shift=0.0, scale=0.0, loss="linear", points=3001):
+    """A fit of model(times, *values) to data at TIMES without any deck; points of the record of each run, which the fit keeps."""
+    wide = np.linspace(-1.0, 2.0, points)
 
     def ask(changes):
         return [{"numbers": {}, "records": {"g.u": (wide, model(wide, *change["values"]))}} for change in changes]

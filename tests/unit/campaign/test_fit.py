@@ -154,7 +154,7 @@ def test_a_record_gives_its_constants_back(deck, tmp_path, inline):
     assert (folder / "residuals.csv").read_text().count("\n") == 201 and "<svg" in (folder / "report.html").read_text()
     check_flips(folder)
     (folder / "fitted.toml").write_text((folder / "fitted.toml").read_text() + "# my own remarks\n")
-    with pytest.raises(FileTrouble, match="fitted.toml: changed since the fit; the changes would be lost"):
+    with pytest.raises(FileTrouble, match="fitted.toml: changed since the fit, and the changes would be lost"):
         claimed(folder)
 
 
@@ -253,7 +253,7 @@ def test_data_without_units_or_without_a_gauge_are_refused(deck, tmp_path, inlin
     with pytest.raises(DeckError, match="has no unit"):
         run_fit(deck, FitWishes([data], FREE), False, engine=inline)
     data = written(tmp_path / "visar.csv", TIMES * 1.4e-6, 300.0 + TIMES, "time [us], temperature [K]")
-    with pytest.raises(DeckError, match="no gauge of the deck has this"):
+    with pytest.raises(DeckError, match="no gauge of the deck records this"):
         run_fit(deck, FitWishes([data], FREE), False, engine=inline)
     with pytest.raises(FileTrouble):
         run_fit(deck, FitWishes([str(tmp_path / "none.csv")], FREE), False, engine=inline)

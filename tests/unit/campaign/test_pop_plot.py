@@ -58,7 +58,7 @@ def test_a_charge_too_short_and_zones_too_coarse_are_told():
     found = pop_plot(LX17, (9e9, 40e9), zone_size=5e-5, longest=5e-3)
     assert "no detonation within 5 mm" in found.points[0].note and "overdriven" in found.points[1].note
     coarse = pop_plot(LX17, (17e9,), zone_size=1.5e-4, longest=3e-2)
-    assert "make them" in coarse.points[0].note
+    assert "make the zones" in coarse.points[0].note
     assert [point.at_once for point in (*found.points, *coarse.points)] == [False, True, True]
     assert found.line is coarse.line is None and all(np.isnan(p.distance) for p in (*found.points, *coarse.points))
 

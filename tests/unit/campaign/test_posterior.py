@@ -82,7 +82,7 @@ def straight():
 
 
 def found(data, kind, runs=None):
-    p = problem(line, data, 0.01, ["a = 0..1", "b = 0..1"])
+    p = problem(line, data, 0.01, ["a = 0..1", "b = 0..1"], points=7)
     return posterior_of(p, p.search(p.starts(None, 1, 0)[0]), kind, runs, seed=2)
 
 

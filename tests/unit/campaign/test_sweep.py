@@ -246,7 +246,7 @@ def test_sweeps_can_stand_in_files(deck, tmp_path, inline):
     ({"vary": [SPEEDS], "match": ["copper"]}, "needs a flyer and a target"),
     ({"vary": ["speed = 1..2 km/s : 2"], "match": ["copper", "iron"]}, "not a key of the deck, and no tie uses it"),
     ({"vary": ["velocity = 1..2 mm : 2"], "match": ["copper", "iron"]}, "expected a velocity"),
-    ({"vary": ["material.zinc.eos.c0 = 1..2 km/s : 2"], "match": ["copper", "iron"]}, "no such input of an impedance match"),
+    ({"vary": ["material.zinc.eos.c0 = 1..2 km/s : 2"], "match": ["copper", "iron"]}, "an impedance match has no such input"),
     ({"vary": ["velocity = 1..2 km/s : 2"], "match": ["copper", "iron"], "keep": True}, "produces no run"),
 ])
 def test_what_cannot_be_asked_is_refused_at_once(deck, tmp_path, inline, wishes, words):

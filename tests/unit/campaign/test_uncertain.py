@@ -65,7 +65,7 @@ def test_a_constant_that_is_varied_by_hand_is_not_varied_twice(water, tmp_path, 
 
 
 def test_what_has_no_uncertainty_is_refused(deck, water, tmp_path, inline):
-    with pytest.raises(DeckError, match="has no uncertainty for any constant"):
+    with pytest.raises(DeckError, match="gives no uncertainty for any constant"):
         run_sweep(deck, Wishes(uncertain="library"), tmp_path / "s", engine=inline)
     with pytest.raises(DeckError, match="known: library"):
         run_sweep(water, Wishes(uncertain="guess"), tmp_path / "s", engine=inline)

@@ -53,7 +53,7 @@ def test_a_zone_tells_the_chemical_energy_it_counts():
     found = answer("znd", "lx_17", "--points", "20")
     inside = found["specific_internal_energy"][0] - found["von_neumann"]["specific_internal_energy"]
     assert found["detonation_energy"] == pytest.approx(inside, rel=1e-9)
-    assert "counted in the internal energy" in eos("znd", "lx_17", "--points", "20").stdout
+    assert "included in the internal energy" in eos("znd", "lx_17", "--points", "20").stdout
 
 
 def test_states_of_a_mixture_in_both_closures():
@@ -124,7 +124,7 @@ def test_pictures(tmp_path, arguments):
     (("znd", "lx_17", "--rate", "arrhenius: frequency = 1e6 1/s"), 2, "activation_temperature: missing"),
     (("znd", "lx_17", "--complete", "1"), 3, "0 < complete < 1"), (("znd", "lx_17", "--heat", "1 MJ/kg", "--closure", "thermal_isolation"), 2, "omit one"),
     (("znd", "copper", "--heat", "1 MJ/kg"), 2, "has no burn law"), (("mixture", "lx_17"), 2, "no state is given"), (("mixture", "copper", "--shocked", "pressure = 1 GPa"), 2, "unreacted"),
-    (("mixture", *LX17, "--burn-fraction", "1.5"), 2, "not a mass fraction"), (("mixture", *LX17, "--at", "density = 2 g/cm^3"), 2, "a density and an energy, pressure or temperature"),
+    (("mixture", *LX17, "--burn-fraction", "1.5"), 2, "not a mass fraction"), (("mixture", *LX17, "--at", "density = 2 g/cm^3"), 2, "its density and its energy, pressure or temperature"),
     (("mixture", *LX17, "--at", "energy = 2 MJ/kg, pressure = 9 GPa"), 2, "density = 2.4 g/cm^3, pressure = 20 GPa"),
     (("mixture", *LX17, "--series", "--plot", "x.png"), 2, "table of coefficients"),
     (("mixture", *LX17, "--closure", "burned_products"), 3, "no reactants"), (("mixture", *LX17, "--series", "--hugoniot", "9 GPa"), 2, "exclude each other"),

@@ -44,4 +44,4 @@ def test_only_more_than_the_stated_multiple_without_a_fracture_law_is_warned_of(
 
 def test_a_run_of_steel_that_cannot_break_warns(tmp_path):
     run = hugoniot.run(problem(speed=1000.0), tmp_path / "run")
-    assert any("no fracture law: that is more than 3 times" in str(text) for text in run.arrays("events")["text"])
+    assert any("more than 3 times" in str(text) for text in run.arrays("events")["text"])

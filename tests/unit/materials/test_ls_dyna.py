@@ -64,7 +64,7 @@ def test_numbers_of_keywords_and_a_density_of_the_user():
     ("*MAT_ELASTIC\n1,7.8\n", "one equation of state is needed"),
     (STEEL + TNT[TNT.index("*EOS"):], "not two"),
     (STEEL.replace("0.4569", "&cs"), "parameters"),
-    (STEEL.replace(",0.46,0.0", ",0.46,0.1"), "belongs to a region"),
+    (STEEL.replace(",0.46,0.0", ",0.46,0.1"), "which a deck gives in its regions"),
     (STEEL + STEEL, "appears twice"),
 ])
 def test_files_that_are_no_single_material(text, words):

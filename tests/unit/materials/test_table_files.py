@@ -102,7 +102,7 @@ def test_a_material_file_reads_a_table_beside_it(tmp_path, solid, kind):
 def test_keys_of_sesame_files_are_refused_for_other_files(tmp_path, solid, kind, key):
     write_file(tmp_path, kind, solid)
     (tmp_path / "deck.toml").write_text(DECK.format(f"al.{kind}") + key + "\n", encoding="utf-8")
-    with pytest.raises(DeckError, match="belongs to SESAME-format files"):
+    with pytest.raises(DeckError, match="applies to SESAME-format files only"):
         read_deck(tmp_path / "deck.toml")
 
 

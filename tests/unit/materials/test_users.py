@@ -92,7 +92,7 @@ def test_errors_name_file_line_and_key(tmp_path):
 
 
 @pytest.mark.parametrize("text, words", [
-    ("title = 'nothing'\n", "describes no material"), ("material = 3\n", "materials are tables"), ("[eos\n", "TOML"),
+    ("title = 'nothing'\n", "describes no material"), ("material = 3\n", "a material must be a table"), ("[eos\n", "TOML"),
     ('[eos]\nlaw = "ideal_gas"\ngamma = {value = 1.4, surce = "x"}\n', "surce"),
     ('[eos]\nlaw = "ideal_gas"\ngamma = {value = 1.4, status = "sure"}\n', "unknown status"),
     ('[eos]\nrow = "U160"\n', "exponential|ulh"), ('[eos]\nrow = "U184"\n', "no density"),

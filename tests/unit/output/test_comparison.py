@@ -64,7 +64,7 @@ def test_the_runs_own_csv_compares_with_the_run(runs):
     ("time [us], velocity [m/s]\n1,1\n0,1\n", "must increase"),
     ("time [us], velocity [m/s]\n0,nan\n1,1\n", "must increase and every value be finite"),
     ("", "needs a line of column headers"), ("time [us], velocity [m/s]\n", "no values below its headers"),
-    ("time [s], velocity [m/s]\n5,0\n6,0\n", "nothing in it matches"),
+    ("time [s], velocity [m/s]\n5,0\n6,0\n", "no record that matches"),
 ])
 def test_broken_tables_are_answered_with_the_place(runs, tmp_path, table, words):
     (tmp_path / "d.csv").write_text(table)

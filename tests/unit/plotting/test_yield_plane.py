@@ -47,5 +47,5 @@ def test_times_choose_and_what_cannot_be_drawn_is_refused():
         pi_plane(run_with(time=TIME, pressure=s1))
     with pytest.raises(DeckError, match="no gauge 'three'"):
         pi_plane(run_with(**rows), ["three"])
-    with pytest.raises(DeckError, match="no record between these times; theirs is from 0 s to 1 us"):
+    with pytest.raises(DeckError, match="no record between these times; their record runs from 0 s to 1 us"):
         pi_plane(run_with(**rows), times=(5e-6, 6e-6))

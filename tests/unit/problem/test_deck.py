@@ -179,7 +179,7 @@ def test_a_file_that_is_no_deck_is_not_read_to_its_end(tmp_path):
     path = tmp_path / "result.toml"
     with path.open("wb") as file:
         file.truncate(10**12)
-    with pytest.raises(DeckError, match="too many for a deck; was another file meant"):
+    with pytest.raises(DeckError, match="a deck cannot have more than [0-9]+ characters; is this the right file"):
         read_deck(path)
 
 
@@ -190,7 +190,7 @@ def test_overrides_reach_regions_by_name_and_are_checked(tmp_path):
     assert (p.regions[0].velocity, p.solver.courant, p.stop_time) == (3000.0, 0.25, 2e-6)
     with pytest.raises(DeckError, match="region.a.velocity: expected a velocity"):
         read_deck(path, {"region.a.velocity": "3 km"})
-    with pytest.raises(DeckError, match="no such place"):
+    with pytest.raises(DeckError, match="no such key to override"):
         read_deck(path, {"region.b.velocity": 3.0})
 
 

@@ -74,7 +74,7 @@ def test_plexiglas_shows_the_velocity_of_the_interface_itself():
     (('window = "glass"', 'window = "glas"'), "no region 'glas'"),
     (('window = "glass"', 'window = "flyer"\nwindow_factor = 1.3'), "does not touch the gauge"),
     (('at = "target/glass"', 'at = "0.5 mm"'), "does not touch the gauge"),
-    (('window = "glass"', 'window = "target"\nwindow_factor = 1.3'), "has to pass other bodies"),
+    (('window = "glass"', 'window = "target"\nwindow_factor = 1.3'), "has to pass through other bodies"),
     (('window = "glass"', 'wavelength = "532 nm"'), "needs window"),
     (('window = "glass"', 'window = "glass"\nwindow_factor = 1.3\nwavelength = "532 nm"'), "selects the library's index"),
     (('window = "glass"', 'window = "glass"\nwavelength = "700 nm"'), "does not say how the index"),

@@ -217,7 +217,7 @@ def test_bent_gruneisen_parameter_is_an_option(capsys):
         _, out, _ = call(capsys, "structure", "profile", name, "--bent", "--json", "--points", "2")
         assert json.loads(out)["density_thickness"] * 1e9 == pytest.approx(nm, abs=5e-4)
     code, _, err = call(capsys, "structure", "profile", "argon-jordan", "--mach", "2", "--bent")
-    assert code == 2 and "no bent Gr" in err
+    assert code == 2 and "no adjusted Gr" in err
 
 
 def test_profile_tells_definitions_laws_and_sources(capsys):

@@ -191,15 +191,15 @@ GASEOUS = '[material.x.eos]\nlaw = "ideal_gas"\ngamma = 3.0\nrho0 = 1600.0\n[mat
 
 
 @pytest.mark.parametrize(("top", "region", "words"), [
-    ("lighting = [{at = 0.0}]", PRESSED, "runs at 7980 m/s, its products would drive one at 7167.7"),       # pressed to another density
+    ("lighting = [{at = 0.0}]", PRESSED, "runs at 7980 m/s, but its products would drive one at 7167.7"),       # pressed to another density
     ("lighting = [{at = 0.0}]", '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\ndetonation_velocity = "70 km/s"', "far below CJ"),
-    ('lighting = [{at = 0.0}, {at = 0.0, time = "5 us"}]', "", "lighting point 2 fires at 5 us, after the run has ended"),
+    ('lighting = [{at = 0.0}, {at = 0.0, time = "5 us"}]', "", "lighting point 2 fires at 5 us, after the end of the run"),
     ("", 'density = "1800 kg/m^3"\n' + BETA, "starts at 1800 kg/m3, and its burn law 'beta' measures compression from rho0 = 1717"),
     ("", '[material.x]\nbase = "LX-17 reactive"\n[material.x.unreacted]\nlaw = "ideal_gas"\ngamma = 1.4', "'ignition_growth' measures compression from rho0 = 1905"),
     ("", '[material.x]\nbase = "LX-17 reactive"\ndetonation_energy = "5e12 J/kg"', "its equations of state give"),
     ("", GASEOUS, "has no burn law: its detonation_energy is not used"),
     ("", '[material.x]\nbase = "copper"\nmixture = "thermal_isolation"', "has no burn law: its mixture is not used"),
-    ("lighting = [{at = 0.0}]", '[solver.viscosity]\nlaw = "limited"\nlinear = 1.0', "linear = 1 has no effect in 'comp_b', which burns by a schedule alone"),
+    ("lighting = [{at = 0.0}]", '[solver.viscosity]\nlaw = "limited"\nlinear = 1.0', "linear = 1 has no effect in 'comp_b', whose burn is programmed alone"),
 ])
 def test_what_is_allowed_but_seldom_meant_is_told(top, region, words):
     text = DECK.format(top=top, region=region)
@@ -210,7 +210,7 @@ def test_what_is_allowed_but_seldom_meant_is_told(top, region, words):
 @pytest.mark.parametrize(("geometry", "lit", "told"), [("spherical", "1 cm", True), ("cylindrical", "7 mm", True), ("spherical", "5 mm", False), ("planar", "1 cm", False)])
 def test_a_front_that_is_programmed_to_converge_is_told_with_the_law_to_take(geometry, lit, told):
     text = DECK.format(top=f'geometry = "{geometry}"\nlighting = [{{at = "{lit}"}}]', region="").replace('from = "0 cm"', 'from = "5 mm"')
-    found = [warning for warning in read_deck_text(text).warnings if "converging, a real front would outrun" in warning]
+    found = [warning for warning in read_deck_text(text).warnings if "real converging front would outrun" in warning]
     assert len(found) == told
     assert not told or 'law = "programmed_beta", rho0 = 1717, rho_cj = 2351' in found[0]
     with_beta = '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\nlaw = "programmed_beta"\nrho0 = 1717.0\nrho_cj = 2351.4\ndetonation_velocity = "7980 m/s"\n'

@@ -57,7 +57,7 @@ def test_a_law_that_softens_at_once_is_questioned_wherever_it_is_read(tmp_path):
     soft, sound = HerrmannSeries(2785.0, 79e9, -50.0, 0.0, 0.0, 5570.0), HerrmannSeries(2780.0, 76.4e9, 1.014, 2.36, 5.13, 5473.0)
     (text,) = unlikely("al", Material("al", soft))
     # d/deta of eta (1 - 50 eta) is negative from eta = 1/100 on, that is at rho0/0.99 and within the step of the search above it
-    assert "no sound speed" in text and 2785.0 / 0.99 < float(text.split("from ")[1].split(" kg")[0]) < 1.006 * 2785.0 / 0.99
+    assert "no real sound speed" in text and 2785.0 / 0.99 < float(text.split("sound speed above ")[1].split(" kg")[0]) < 1.006 * 2785.0 / 0.99
     assert unlikely("al", Material("al", sound)) == []
     (tmp_path / "soft.toml").write_text('[eos]\nlaw = "herrmann_series"\n' + "".join(f"{k} = {v}\n" for k, v in soft._asdict().items() if v == v))
     assert "its pressure falls there with compression" in ask("show", tmp_path / "soft.toml").output
@@ -67,7 +67,7 @@ def test_the_law_of_shocks_alone_says_so_and_has_no_gruneisen_parameter(tmp_path
     (tmp_path / "kb.toml").write_text('[eos]\nlaw = "shock_energy"\nrho0 = 8930.0\nc0 = 3940.0\ns = 1.489\n')
     shown = ask("show", tmp_path / "kb.toml").output
     assert "has no Grüneisen parameter" in shown and "Grüneisen parameter  " not in shown
-    assert "mean nothing with it" in ask("isentrope", tmp_path / "kb.toml", "--at", "pressure = 20 GPa").output
+    assert "computed with it are meaningless" in ask("isentrope", tmp_path / "kb.toml", "--at", "pressure = 20 GPa").output
     assert "mean nothing" not in ask("show", "copper").output
 
 

@@ -36,12 +36,15 @@ def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV =
 @app.command()
 def hugoniot(
     materials: MATERIALS, at: AT = None, points: POINTS = 101,
-    up_to: Annotated[str | None, typer.Option("--up-to", help='Last particle velocity, "3 km/s".')] = None,
-    density: Annotated[str | None, typer.Option("--density", help='Initial density: porous material, "5 g/cm^3".')] = None,
-    after: Annotated[str | None, typer.Option("--after", help="A first shock, as in --at; then the curve of a second.")] = None,
-    reaction: Annotated[bool, typer.Option("--reaction", help="With complete reaction: the detonation Hugoniot of the products.")] = False,
+    up_to: Annotated[str | None, typer.Option("--up-to", help='Last particle velocity, such as "3 km/s".')] = None,
+    density: Annotated[str | None, typer.Option("--density", help='Initial density of a porous material, such as "5 g/cm^3".')] = None,
+    after: Annotated[str | None, typer.Option("--after", help="State behind a first shock, as in --at; the curve is that of a second "
+                                                              "shock.")] = None,
+    reaction: Annotated[bool, typer.Option("--reaction", help="Assume complete reaction: the detonation Hugoniot of the "
+                                                              "products.")] = False,
     heat: HEAT = None,
-    data: Annotated[list[str] | None, typer.Option("--data", help="CSV file of measured up, us for the picture, one per material.")] = None,
+    data: Annotated[list[str] | None, typer.Option("--data", help="CSV file of measured up and us to draw in the picture, one per "
+                                                                  "material.")] = None,
     kind: Annotated[str, typer.Option("--axes", help="Picture: p-up, us-up, p-v or t-p.")] = "p-up",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
@@ -77,15 +80,16 @@ def isentrope(
 @app.command()
 def match(
     materials: Annotated[list[str], typer.Argument(metavar="FLYER TARGET...", help="Flyer first, then the layers in order.")],
-    velocity: Annotated[str, typer.Option("--velocity", help='Velocity of the flyer, "1 km/s".')],
+    velocity: Annotated[str, typer.Option("--velocity", help='Velocity of the flyer, such as "1 km/s".')],
     error: Annotated[list[str] | None, typer.Option("--error", help='One standard deviation of an input: "velocity = 5 m/s" or '
                                                                     '"copper.c0 = 20 m/s"; "library" for the covariance of the '
                                                                     "library's own fits; repeatable.")] = None,
     samples: Annotated[int, typer.Option("--samples", min=0, max=1000000, help="Monte Carlo samples instead of linear error bars.")] = 0,
-    ring_up: Annotated[int, typer.Option("--ring-up", min=0, max=1000, help="Further reverberations while the first target rings up.")] = 0,
+    ring_up: Annotated[int, typer.Option("--ring-up", min=0, max=1000, help="Number of further reverberations to give while the first "
+                                                                            "target rings up.")] = 0,
     thickness: Annotated[list[str] | None, typer.Option("--thickness", help="Thickness of each layer, flyer first: follows all "
                                                                             "waves to --until; --plot draws them.")] = None,
-    until: Annotated[str, typer.Option("--until", help='End time of the wave diagram, "2 us".')] = "1 us",
+    until: Annotated[str, typer.Option("--until", help='End time of the wave diagram, such as "2 us".')] = "1 us",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """Pressures and velocities at every interface of an impact, in the order in which the waves arrive.
@@ -97,7 +101,8 @@ def match(
     if len(materials) < 2:
         raise DeckError.single("command line", None, "match", "an impact needs a flyer and at least one target", "name two or more")
     if ring_up and len(materials) < 3:
-        raise DeckError.single("command line", None, "--ring-up", "a layer rings up between two others", "name three materials or more")
+        raise DeckError.single("command line", None, "--ring-up", "--ring-up needs a layer between two "
+                                                                  "others", "name three materials or more")
     speed = quantity(velocity, "m/s", "--velocity")
     if thickness:
         if len(thickness) != len(materials):
@@ -113,9 +118,10 @@ def match(
 def riemann(
     left: Annotated[str, typer.Argument(metavar="LEFT", help="Material on the left.")],
     right: Annotated[str, typer.Argument(metavar="RIGHT", help="Material on the right.")],
-    left_state: Annotated[str, typer.Option("--left", help='"pressure = 1 GPa, velocity = 100 m/s"; default at rest.')] = "",
+    left_state: Annotated[str, typer.Option("--left", help='Its state, such as "pressure = 1 GPa, velocity = 100 m/s"; default: at '
+                                                           'rest.')] = "",
     right_state: Annotated[str, typer.Option("--right", help="As --left.")] = "",
-    bonded: Annotated[bool, typer.Option("--bonded", help="The contact supports tension.")] = False,
+    bonded: Annotated[bool, typer.Option("--bonded", help="Let the contact support tension.")] = False,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """The exact Riemann problem of two materials: waves, contact or vacuum.
@@ -144,7 +150,7 @@ def fit(
     quadratic: Annotated[bool, typer.Option("--quadratic", help="Fit Us = c0 + s up + s2 up^2.")] = False,
     least: Annotated[str | None, typer.Option("--from", help="Ignore points of lower particle velocity.")] = None,
     highest: Annotated[str | None, typer.Option("--to", help="Ignore points of higher particle velocity.")] = None,
-    as_toml: Annotated[bool, typer.Option("--toml", help="Print a material table for a deck.")] = False,
+    as_toml: Annotated[bool, typer.Option("--toml", help="Print the fit as a material table for a deck.")] = False,
     density: Annotated[str | None, typer.Option("--density", help="Density at rest, for a table (default: the library's).")] = None,
     gruneisen: Annotated[float | None, typer.Option("--gruneisen", help="Grüneisen parameter, for a table (default: 2 s - 1).")] = None,
     solid_jwl: Annotated[bool, typer.Option("--jwl-proportional", help="Fit the JWL alternative for solids instead and print its "
@@ -171,14 +177,15 @@ def fit(
 @app.command("fit-jwl")
 def fit_jwl(
     curve: Annotated[str, typer.Argument(metavar="CURVE", help="A CSV file of the expansion: columns volume (V = v/v0) and pressure.")],
-    density: Annotated[str, typer.Option("--density", help='Density of the explosive, "1.717 g/cm^3".')],
-    velocity: Annotated[str, typer.Option("--velocity", help='Detonation velocity, "7.98 km/s".')],
-    pressure: Annotated[str, typer.Option("--pressure", help='CJ pressure, "29.5 GPa".')],
-    energy: Annotated[str, typer.Option("--energy", help='E0 per volume of explosive, "8.5 GJ/m^3" or "85 kbar".')],
-    omega: Annotated[float | None, typer.Option("--omega", help="Keep this omega instead of fitting it.")] = None,
+    density: Annotated[str, typer.Option("--density", help='Density of the explosive, such as "1.717 g/cm^3".')],
+    velocity: Annotated[str, typer.Option("--velocity", help='Detonation velocity, such as "7.98 km/s".')],
+    pressure: Annotated[str, typer.Option("--pressure", help='CJ pressure, such as "29.5 GPa".')],
+    energy: Annotated[str, typer.Option("--energy", help='Detonation energy E0 per volume of explosive, such as "8.5 GJ/m^3" or "85 '
+                                                         'kbar".')],
+    omega: Annotated[float | None, typer.Option("--omega", help="Fix omega at this value instead of fitting it.")] = None,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """JWL constants from a CJ state, which is kept exactly, and points of the expansion below it.
+    """Fit JWL constants to a CJ state, which they reproduce exactly, and to points of the expansion below it.
 
     Example: hugoniot eos fit-jwl cylinder.csv --density "1.717 g/cm^3" --velocity "7.98 km/s" --pressure "29.5 GPa" --energy "8.5 GPa"
     """
@@ -189,7 +196,7 @@ def fit_jwl(
 
 @app.command("fit-gamma")
 def fit_gamma(
-    material: MATERIAL, at: Annotated[str, typer.Option("--at", help='The shock state to fit, "particle_velocity = 500 m/s".')],
+    material: MATERIAL, at: Annotated[str, typer.Option("--at", help='The shock state to fit, such as "particle_velocity = 500 m/s".')],
     ambient: Annotated[str, typer.Option("--ambient", help="Pressure ahead of the shock.")] = "1 atm", as_json: JSON = False,
 ) -> None:
     """The Grüneisen parameter with which a truncated (third-order) law passes through a shock state.
@@ -204,7 +211,7 @@ def fit_gamma(
 @app.command()
 def table(
     material: MATERIAL,
-    densities: Annotated[str, typer.Option("--densities", help='Range, "8 g/cm^3, 14 g/cm^3"; default: 0.9 to 1.5 times '
+    densities: Annotated[str, typer.Option("--densities", help='Range, such as "8 g/cm^3, 14 g/cm^3"; default: 0.9 to 1.5 times '
                                                                'the density at rest.')] = "",
     temperatures: Annotated[str, typer.Option("--temperatures", help='Temperatures: range "200 K, 3000 K", or three or more values; '
                                                                      '0 K is the cold curve.')] = "200 K, 3000 K",

@@ -40,7 +40,7 @@ def initial(subject: Subject, density: str | None, heat: str | None, ahead: str)
     released = quantity(heat, "J/kg", "--heat") if heat else 0.0
     if ahead:
         if density:
-            raise DeckError.single("command line", None, "--density", "--ahead gives the state", "write the density there")
+            raise DeckError.single("command line", None, "--density", "--ahead already gives the state", "write the density there")
         return replace(_given(subject.material, ahead), heat=released)
     found = explosive(subject.material, quantity(density, "kg/m^3", "--density") if density else None, released)
     return replace(found, pressure=0.0, energy=found.energy if subject.reacted else 0.0) if heat else found
@@ -71,12 +71,13 @@ def mixture_of(subject: Subject, closure: str | None = None, heat: float | None 
 
     material = subject.material
     if material.unreacted is None:
-        raise DeckError.single("command line", None, material.name, "the explosive before it burns has no equation of state",
+        raise DeckError.single("command line", None, material.name, "the unreacted explosive has no equation of state",
                                "give it an [unreacted] table in a TOML file (eos znd and stability also take one law with --heat)")
     kind = closure_of(closure) if closure else burning.closure(material)
     found = mixture(kind, material.unreacted, material.eos, material.detonation_energy if heat is None else heat)
     if hasattr(found, "detonation_energy") and not found.detonation_energy > 0.0:
-        raise OutOfRange(f"burning {material.name} would release {found.detonation_energy:.6g} J/kg: give its chemical energy as "
+        raise OutOfRange(f"burning {material.name} would release {found.detonation_energy:.6g} J/kg, which is not positive: give its "
+                         "chemical energy as "
                          "detonation_energy in a TOML file (for eos mixture also with --heat), or products with their E0")
     return found
 
@@ -102,7 +103,7 @@ def zones(names: list[str], asked: Zone, as_json, as_csv, plot) -> None:
         typer.echo("\nvon Neumann spike")
         echo_columns(zone.von_neumann.table())
         energy = cell("specific_internal_energy", row["detonation_energy"])
-        typer.echo("\nbehind it" + (f", chemical energy {energy} counted in the internal energy" if row["closure"] else ""))
+        typer.echo("\nbehind it" + (f", chemical energy {energy} included in the internal energy" if row["closure"] else ""))
         echo_columns(zone.table())
         echo_notes(said)
 

@@ -35,11 +35,12 @@ _GAMMA = ("rho0", "gamma0", "gamma1", "gamma2", "gamma3", "expansion", "heat_at_
 
 
 def convert(
-    form: Annotated[str, typer.Argument(help=f"The fit the constants belong to: {', '.join(FORMS)}.")],
-    constants: Annotated[list[str], typer.Argument(metavar="NAME=VALUE...", help='As "c0=5.35 km/s" s=1.34 "rho0=2.7 g/cm^3".')],
+    form: Annotated[str, typer.Argument(help=f"The form of fit that the constants belong to: {', '.join(FORMS)}.")],
+    constants: Annotated[list[str], typer.Argument(metavar="NAME=VALUE...", help='The constants, such as "c0=5.35 km/s" s=1.34 "rho0=2.7 '
+                                                                                 'g/cm^3".')],
     as_json: JSON = False,
 ) -> None:
-    """Constants of a fit as k0', k1', k2' of Herrmann's series; with rho0 and gamma0 also the law, as a deck has it.
+    """Convert the constants of a fit to k0', k1', k2' of Herrmann's series; with rho0 and gamma0 also print the law for a deck.
 
     gamma0 may follow from expansion and heat_at_pressure (gamma0 = k0' alpha/(rho0 c_p)); gamma1 to gamma3 are 0 unless given.
 
@@ -66,7 +67,7 @@ def convert(
     typer.echo(f"{chosen.what} (Herrmann {chosen.equation}) as p_H = k0' eta (1 + k1' eta + k2' eta^2), eta = 1 - rho0/rho:")
     echo_table(["", "value", "unit"], [(f"{k}'", f"{v:.10g}", UNITS.get(k, "")) for k, v in series._asdict().items() if k != "k3"])
     if law is None:
-        typer.echo("\nrho0 and gamma0 (or expansion and heat_at_pressure) would give the whole law")
+        typer.echo("\nrho0 and gamma0 (or expansion and heat_at_pressure) as well would give the complete law")
         return
     lines = [f'{k} = "{v:.10g} {UNITS[k]}"' if k in UNITS else f"{k} = {v:.10g}" for k, v in _finite(law).items()]
     typer.echo("\n" + "\n".join(["[material.x.eos]", 'law = "herrmann_series"', *lines]))

@@ -43,15 +43,15 @@ def znd(
     explosives: MATERIALS, closure: Annotated[str | None, typer.Option("--closure", help=CLOSURE + "; default: the material's.")] = None,
     rate: RATE = None, heat: HEAT = None, density: DENSITY = None, ahead: AHEAD = "",
     overdrive: Annotated[float, typer.Option("--overdrive", min=1.0, help="f = (D/D_CJ)^2.")] = 1.0,
-    velocity: Annotated[str | None, typer.Option("--velocity", help='Velocity of the front instead, "9 km/s".')] = None,
+    velocity: Annotated[str | None, typer.Option("--velocity", help='Velocity of the front instead, such as "9 km/s".')] = None,
     complete: Annotated[float, typer.Option("--complete", help="Burn fraction at which the profile ends.")] = 1.0 - 1e-6,
     points: Annotated[int, typer.Option("--points", min=3, max=10000, help="States along the zone.")] = 100,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """The steady reaction zone of a detonation: von Neumann spike, profile, half-reaction length and time.
 
-    An explosive of the library burns by its calibrated rate, reactants and products mixed by --closure. With --heat one law releases
-    that heat as the reaction goes on (a gas, or the simple models of textbooks).
+    An explosive of the library burns by its calibrated rate, reactants and products mixed by --closure. With --heat a single law
+    releases that heat as the reaction proceeds (a gas, or a simple textbook model).
 
     Example: hugoniot eos znd lx_17 --plot zone.png
     """
@@ -63,28 +63,30 @@ def znd(
 
 def mixture(
     explosive: EXPLOSIVE,
-    at: Annotated[str, typer.Option("--at", help='State of the mixture, "density = 2.4 g/cm^3, energy = 3 MJ/kg", or pressure or '
+    at: Annotated[str, typer.Option("--at", help='State of the mixture, such as "density = 2.4 g/cm^3, energy = 3 MJ/kg", or pressure or '
                                                  "temperature in place of energy. The energy is measured from the unreacted explosive "
                                                  "at rest; the chemical energy is added to it.")] = "",
     shocked: Annotated[str, typer.Option("--shocked", help='A shock through the reactants first, "pressure = 20 GPa": gives their '
                                                            "isentrope and, without --at, the state.")] = "",
     fractions: Annotated[str, typer.Option("--burn-fraction", help="Burn fractions, separated by commas.")] = "0, 0.25, 0.5, 0.75, 1",
     closure: Annotated[list[str] | None, typer.Option("--closure", help=CLOSURE + "; default: isolation and equilibrium.")] = None,
-    adiabat: Annotated[str | None, typer.Option("--adiabat", help='Follow the adiabat from the first burn fraction to this density, '
+    adiabat: Annotated[str | None, typer.Option("--adiabat", help='Follow the adiabat from the state of the first burn fraction to this '
+                                                                  'density, '
                                                                   '"1 g/cm^3".')] = None,
     burn_to: Annotated[float | None, typer.Option("--burn-to", min=0.0, max=1.0, help="Burn fraction at the end of the adiabat, reached in "
                                                                                     "proportion to the volume; default: frozen.")] = None,
-    frozen: Annotated[str | None, typer.Option("--hugoniot", help='Shocks up to "40 GPa", without reaction in them or with '
+    frozen: Annotated[str | None, typer.Option("--hugoniot", help='Shocks up to this pressure, such as "40 GPa", without reaction in them '
+                                                                  'or with '
                                                                 "--reacted.")] = None,
     reacted: Annotated[float, typer.Option("--reacted", min=0.0, max=1.0, help="Mass fraction that burns inside the shock.")] = 0.0,
-    series: Annotated[bool, typer.Option("--series", help="Give the series for small burn fraction instead.")] = False,
-    heat: Annotated[str | None, typer.Option("--heat", help='Chemical energy, "5 MJ/kg"; default: from the laws.')] = None,
+    series: Annotated[bool, typer.Option("--series", help="Give the series for small burn fractions instead.")] = False,
+    heat: Annotated[str | None, typer.Option("--heat", help='Chemical energy, such as "5 MJ/kg"; default: from the laws.')] = None,
     points: Annotated[int, typer.Option("--points", min=2, max=10000, help="States along an adiabat or Hugoniot.")] = 41,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """Reactants and products in one zone: pressure, slopes, sound speed, Gamma, adiabatic exponent, temperature, specific heat.
+    """Reactants and products in one zone: pressure and its slopes, sound speed, Gamma, adiabatic exponent, temperature, specific heat.
 
-    Mechanical equilibrium with thermal isolation (the reactants stay on their isentrope) and with thermal equilibrium.
+    The phases are in mechanical equilibrium, with thermal isolation (the reactants stay on their isentrope) or thermal equilibrium.
 
     Example: hugoniot eos mixture lx_17 --shocked "pressure = 20 GPa" --adiabat "1 g/cm^3" --burn-to 1
     """

@@ -79,7 +79,7 @@ def _doubts(up, us, fitted) -> list[str]:
     """The same, and about a curve without a sound speed at rest, not above the particle velocity, or falling with it."""
     found, (rest, slope) = _slow(up, us), fitted.coefficients[:2]
     if not rest > 0.0:
-        found.append(f"at up = 0 the curve gives us = {rest:.6g} m/s, which is not a sound speed: it cannot serve as a law")
+        found.append(f"at up = 0 the curve gives us = {rest:.6g} m/s, which is not a sound speed: the curve cannot be used as a law")
     elif not fitted(fitted.highest) > fitted.highest:
         found.append(f"the curve's shock velocity is not above the particle velocity at up = {fitted.highest:.6g} m/s")
     if len(fitted.coefficients) == 2 and not slope > 0.0:

@@ -130,7 +130,7 @@ def _splits(f: Answer, single: bool) -> list[str]:
     if not single:
         between = split_range(f.subject.material, f.ahead, float(np.max(f.states.particle_velocity)) - f.ahead.velocity)
         return [] if between is None else [
-            f"from {cell('particle_velocity', between[0])} to {cell('particle_velocity', between[1])} no single jump exists: a faster "
+            f"from {cell('particle_velocity', between[0])} to {cell('particle_velocity', between[1])} no single shock exists: a faster "
             "precursor runs ahead; --at gives the states behind both waves"]
     return split_notes(f.subject.material, f.states, f.ahead)
 

@@ -107,7 +107,8 @@ def _from_file(path: Path, inside: str):
     found = read_materials(path)
     name = inside or (next(iter(found)) if len(found) == 1 else "")
     if name not in found:
-        raise DeckError.single(path, None, "material", f"holds {', '.join(found)}", f"name one, such as {path}:{next(iter(found))}")
+        raise DeckError.single(path, None, "material", f"the file holds several materials: {', '.join(found)}",
+                               f"name one, such as {path}:{next(iter(found))}")
     return found[name]
 
 

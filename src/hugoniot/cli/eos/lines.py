@@ -19,7 +19,7 @@ TAMPED = ("asymmetric", "tamper")
 
 
 def lines(
-    material: MATERIAL, at: Annotated[str, typer.Option("--at", help='The shock, "particle_velocity = 858 m/s".')],
+    material: MATERIAL, at: Annotated[str, typer.Option("--at", help='The shock, such as "particle_velocity = 858 m/s".')],
     points: Annotated[int, typer.Option("--points", min=3, max=10000, help="States along each line.")] = 41,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
@@ -47,13 +47,14 @@ def lines(
 
 def gurney(
     explosives: Annotated[list[str] | None, typer.Argument(
-        metavar="[EXPLOSIVE]...", help="Default: those of the library, tabulated, or derived from their products.")] = None,
+        metavar="[EXPLOSIVE]...", help="Explosives of the library (default: all of them); the Gurney velocity is tabulated or derived "
+                                       "from the products.")] = None,
     ratio: Annotated[str, typer.Option("--ratio", help="Ratios of metal mass to explosive mass, separated by commas.")] = "1",
     tamper: Annotated[str | None, typer.Option("--tamper", help="Tamper mass over explosive mass: the asymmetric sandwich.")] = None,
-    velocity: Annotated[str | None, typer.Option("--velocity", help='Gurney velocity sqrt(2E) of your own, "2.7 km/s".')] = None,
+    velocity: Annotated[str | None, typer.Option("--velocity", help='Your own Gurney velocity sqrt(2E), such as "2.7 km/s".')] = None,
     as_json: JSON = False,
 ) -> None:
-    """Gurney's velocity of metal: open, symmetric and asymmetric sandwich, cylinder, sphere.
+    """Velocity of metal driven by an explosive, by Gurney's formulas: open, symmetric and asymmetric sandwich, cylinder, sphere.
 
     Example: hugoniot eos gurney pbx9404 petn --ratio "0.5, 1, 2"
     """
@@ -68,7 +69,8 @@ def gurney(
             raise DeckError.single("command line", None, "--velocity", "cannot be combined with named explosives", "give one or the other")
         speed = quantity(velocity, "m/s", "--velocity")
         if not 0.0 < speed < FASTEST:
-            raise DeckError.single("command line", None, "--velocity", f"{speed:g} m/s is not a Gurney velocity", 'such as "2.7 km/s"')
+            raise DeckError.single("command line", None, "--velocity", f"{speed:g} m/s is not a valid Gurney "
+                                                                       "velocity", 'write it like "2.7 km/s"')
         known = [GurneyVelocity("given", speed, "command line", False)]
     else:
         known = gurney_velocities(explosives or [])

@@ -99,7 +99,7 @@ def waves(subjects: list[Subject], velocity, thicknesses, until, as_json, as_csv
         echo_json({"flyer": names[0], "targets": names[1:], "velocity": velocity, "until": found.time, "states": rows,
                    "paths": [dict(zip(("kind", "start_time", "start", "end_time", "end"), p)) for p in found.paths], "warnings": told})
         return
-    typer.echo(f"{names[0]} at {velocity:.6g} m/s; what happens at interfaces and free surfaces until {found.time * 1e6:.6g} us")
+    typer.echo(f"{names[0]} at {velocity:.6g} m/s; events at interfaces and free surfaces until {found.time * 1e6:.6g} us")
     echo_table(["time, us", "position, mm", "where", "pressure, GPa", "velocity, m/s"],
                [[f"{r['time'] * 1e6:.4f}", f"{r['position'] * 1e3:.4f}", r["interface"], cell("pressure", r["pressure"], unit=False),
                  cell("particle_velocity", r["particle_velocity"], unit=False)] for r in rows])
@@ -154,7 +154,7 @@ def _spreads(subjects: list[Subject], velocity, error, samples):
     layers = [s.material for s in subjects]
     values, sigmas, together = uncertain((s.rows, s.material) for s in subjects if LIBRARY in error)
     if LIBRARY in error and not sigmas:
-        raise DeckError.single("command line", None, "--error", "the library has no Hugoniot fit of its own for any of these materials",
+        raise DeckError.single("command line", None, "--error", "the package has fitted no Hugoniot of these materials itself",
                                'give their errors: "copper.c0 = 20 m/s"')
     values["velocity"] = velocity
     for key, text in error_bars([text for text in error if text != LIBRARY]).items():

@@ -50,7 +50,7 @@ class Case(NamedTuple):
 def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
     """Solve for every closure; print, write and draw what is asked."""
     if asked.reacted and asked.hugoniot is None:
-        raise DeckError.single("command line", None, "--reacted", "belongs to --hugoniot", 'add --hugoniot "40 GPa"')
+        raise DeckError.single("command line", None, "--reacted", "applies to --hugoniot only", 'add --hugoniot "40 GPa"')
     if sum((asked.adiabat is not None, asked.hugoniot is not None, asked.series)) > 1:
         raise DeckError.single("command line", None, "mixture", "--adiabat, --hugoniot and --series exclude each other", "give one of them")
     subject = find_material(name)
@@ -84,7 +84,7 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
     for case, (title, table) in zip(cases, tables):
         energy = cell("specific_internal_energy", case.par.detonation_energy)
         rest = cell("specific_internal_energy", case.rest)
-        typer.echo(f"{title}, chemical energy {energy}, counted in the internal energy (unreacted and at rest: {rest})")
+        typer.echo(f"{title}, chemical energy {energy}, included in the internal energy (unreacted explosive at rest: {rest})")
         echo_columns({k: np.atleast_1d(table[k]) for k in SHOWN if table.get(k) is not None})
         typer.echo("")
     typer.echo("--json and --csv also give the states of both phases" + ("" if asked.hugoniot else " and the slopes of the pressure"))
@@ -126,7 +126,8 @@ def _case(subject: Subject, kind: str, asked: Question, fractions: list[float]) 
         return Case(kind, par, reference, reference, ahead.energy + q)
     given = several_states(asked.at, "--at", ("density", "energy", "pressure", "temperature"))
     if len(given) != 2 or "density" not in given:
-        raise DeckError.single("command line", None, "--at", "a mixture has a density and an energy, pressure or temperature",
+        raise DeckError.single("command line", None, "--at", "the state of a mixture is its density and its energy, pressure or "
+                                                             "temperature",
                                'write "density = 2.4 g/cm^3, energy = 3 MJ/kg" or "density = 2.4 g/cm^3, pressure = 20 GPa"')
     rho = given.pop("density")
     if "energy" in given:
@@ -144,13 +145,13 @@ def _answer(case: Case, fractions: list[float], asked: Question):
     if asked.hugoniot is not None:
         top = quantity(asked.hugoniot, "Pa", "--hugoniot")
         if not top > float(start.pressure):
-            raise DeckError.single("command line", None, "--hugoniot", f"the mixture is at {cell('pressure', start.pressure)} already",
+            raise DeckError.single("command line", None, "--hugoniot", f"the mixture is already at {cell('pressure', start.pressure)}",
                                    "give a higher pressure")
         pressures = np.linspace(float(start.pressure), top, asked.points)
         return _reacting(start, pressures[1:], asked.reacted) if asked.reacted else tool.frozen_hugoniot(start, pressures)
     v0, v1 = 1.0 / case.state[0], 1.0 / quantity(asked.adiabat or "", "kg/m^3", "--adiabat")
     if v1 == v0:
-        raise DeckError.single("command line", None, "--adiabat", "the mixture has that density already", "give another one")
+        raise DeckError.single("command line", None, "--adiabat", "the mixture already has that density", "give another one")
     last = first if asked.burn_to is None else asked.burn_to
     way = np.linspace(v0, v1, asked.points)
     return tool.adiabat(start, way, None if last == first else lambda v: min(1.0, max(0.0, first + (last - first) * (v - v0) / (v1 - v0))))
@@ -170,7 +171,7 @@ def _reacting(start, pressures, reacted: float):
 def _series(subject: Subject, case: Case, as_json, as_csv, plot) -> None:
     """The expansion about burn fraction 0, volumes and energies of both phases."""
     if plot or case.kind != "thermal_isolation":
-        raise DeckError.single("command line", None, "--series", "is a table of coefficients in thermal isolation",
+        raise DeckError.single("command line", None, "--series", "gives a table of coefficients, for thermal isolation only",
                                "omit --plot and the other closures")
     found = tool.vanishing_series(case.state[0], float(np.ravel(case.state[1])[0]), case.par)
     rows = {"reactant_volume": found.v_r, "reactant_energy": found.e_r, "product_volume": found.v_p, "product_energy": found.e_p}

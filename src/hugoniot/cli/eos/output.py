@@ -31,8 +31,8 @@ SHOWN = {"pressure": ("GPa", 1e-9, "10.5g"), "density": ("kg/m3", 1.0, "9.2f"), 
 SHOWN |= dict.fromkeys(("principal_pressure", "principal_series", "second_pressure", "second_series", "difference", "leading_difference",
                         "stress", "truncated_pressure", "adjusted_pressure", "rayleigh_pressure", "fanno_pressure",
                         "hugoniot_pressure"), ("GPa", 1e-9, "10.6g"))
-SHOCKS_ONLY = ("this law gives the pressure of the shock that would give that energy, whatever the density: releases, isentropes and "
-               "second shocks mean nothing with it, and it has no Grüneisen parameter")
+SHOCKS_ONLY = ("this law gives the pressure of the shock that would produce the energy, whatever the density: releases, isentropes and "
+               "second shocks computed with it are meaningless, and it has no Grüneisen parameter")
 WORDS = {"specific_internal_energy": "internal energy", "gruneisen": "Grüneisen parameter",
          "adjusted_gruneisen": "adjusted Grüneisen parameter"}
 
@@ -107,7 +107,8 @@ def notes(subject, jump: float = 0.0) -> list[str]:
     """What must be said with an answer about a material: the extrapolation of a shock of that particle velocity jump (m/s), its marks."""
     limit, found = subject.material.valid_up_to, []
     if limit and jump > limit * (1.0 + 1e-9):
-        found.append(f"the data of {subject.material.name} end at {limit:.6g} m/s, the shock has up = {jump:.6g} m/s: extrapolated")
+        found.append(f"the data of {subject.material.name} end at up = {limit:.6g} m/s, but the shock has up = {jump:.6g} m/s: "
+                     "extrapolated")
     elif limit is None and jump > 0.0 and not flagged(subject.material.eos, "gas"):
         found.append(f"the range of the data of {subject.material.name} is not known: up = {jump:.6g} m/s may lie beyond it")
     if flagged(subject.material.eos, "shocks_only"):

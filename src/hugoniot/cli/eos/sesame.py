@@ -20,7 +20,8 @@ _ADDS_UP = 1e-6       # single precision, as files are written
 def sesame(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A SESAME-format ASCII file.")],
     material: Annotated[int | None, typer.Option("--material", help="Number of the material (default: the first).")] = None,
-    temperature: Annotated[str | None, typer.Option("--temperature", help='Isotherm by parts, at the nearest tabulated: "3000 K".')] = None,
+    temperature: Annotated[str | None, typer.Option("--temperature", help='Show the isotherm of each part at the tabulated temperature '
+                                                                          'nearest to this one, "3000 K".')] = None,
     as_json: JSON = False, as_csv: CSV = None,
 ) -> None:
     """Tables of a SESAME-format file: grids, the sum of the parts against the total, cold curve, critical point, melting.
@@ -63,7 +64,7 @@ def sesame(
 
 def _echo(file, chosen, held, found, grids, curves, sums) -> None:
     others = [str(m) for m in held if m != chosen and m is not None]
-    name = f"material {chosen}" if chosen is not None else "a material without a number"
+    name = f"material {chosen}" if chosen is not None else "a material with no number"
     typer.echo(f"{file}: {name}" + (f" (others: {', '.join(others)})" if others else ""))
     units = {"density": "kg/m3", "atomic_mass": "g/mol"}
     given = files.constants(found, chosen)

@@ -13,8 +13,8 @@ def split_notes(material, single: States, ahead: Initial | None = None, name: st
     if found is None:
         return []
     first, second = ([cell(key, getattr(state, key)) for key in ("pressure", "shock_velocity", "density")] for state in found)
-    return [f"{name + ': ' if name else ''}no single jump exists here: a precursor to {first[0]} runs ahead at {first[1]}; behind it "
-            f"a second shock at {second[1]} leads to {second[0]} and {second[2]} at the same particle velocity"]
+    return [f"{name + ': ' if name else ''}no single shock leads to up = {cell('particle_velocity', single.particle_velocity)}: a "
+            f"precursor to {first[0]} runs ahead at {first[1]}, and a second shock at {second[1]} follows, to {second[0]} and {second[2]}"]
 
 
 def jump_notes(material, jump: float, ahead: Initial | None = None) -> list[str]:

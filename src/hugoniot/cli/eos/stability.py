@@ -17,7 +17,7 @@ def stability(
                                                          "Arrhenius step.")] = None,
     gamma: Annotated[float | None, typer.Option("--gamma", help="Ratio of specific heats of the gas (default 1.2).")] = None,
     heat: Annotated[str | None, typer.Option("--heat", help="Heat release over pressure/density ahead (default 50); with an explosive: "
-                                                            'the heat that its one law releases, "5 MJ/kg".')] = None,
+                                                            'the heat of reaction, where it has one law only, "5 MJ/kg".')] = None,
     activation: Annotated[float | None, typer.Option("--activation",
                                                               help="Activation energy over pressure/density ahead (default 50).")] = None,
     overdrive: Annotated[float, typer.Option("--overdrive", help="f = (D/D_CJ)^2, at least 1.0005; CJ is the limit from above.")] = 1.6,
@@ -27,8 +27,8 @@ def stability(
 ) -> None:
     """Normal modes of a plane ZND wave: of an explosive with its equations of state, mixture and rate, or of an ideal gas with one step.
 
-    For an explosive the unit of time is its half-reaction length over D. For the gas, lengths are in half-reaction lengths and times in
-    these over sqrt(pressure/density) ahead.
+    For an explosive the unit of time is its half-reaction length over D. For the gas, lengths are in half-reaction lengths and times
+    in half-reaction lengths over sqrt(pressure/density) of the gas ahead.
 
     Examples: hugoniot eos stability lx_17 --overdrive 1.1; hugoniot eos stability --activation 26 --overdrive 1.001 --highest 1
     """
@@ -36,7 +36,7 @@ def stability(
     if explosive is not None:
         for name, value in given.items():
             if value is not None:
-                raise DeckError.single("command line", None, name, "applies to the ideal gas only, and an explosive is given", "omit one")
+                raise DeckError.single("command line", None, name, "applies to the ideal gas only, but an explosive is given", "omit one")
         _of_explosive(explosive, closure, rate, heat, overdrive, highest, as_json)
         return
     for name, value in {"--closure": closure, "--rate": rate}.items():

@@ -21,8 +21,8 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
     low, high = _range(densities, "kg/m^3", "--densities") if densities else (0.9 * rho0, 1.5 * rho0)
     least, most = density_range(subject.material.eos)
     if not least <= low < high < most:
-        raise OutOfRange(f"the law '{EOS.of(subject.material.eos).name}' holds for densities from {max(least, 1e-6):.6g} to {most:.6g} "
-                         f"kg/m3: --densities asks for {low:.6g} to {high:.6g}")
+        raise OutOfRange(f"the law '{EOS.of(subject.material.eos).name}' is defined for densities from {max(least, 1e-6):.6g} to "
+                         f"{most:.6g} kg/m3, but --densities is {low:.6g} to {high:.6g}")
     rho, t = np.linspace(low, high, points), _temperatures(temperatures, points)
     p, e = grid(subject.material, rho, t)
     if as_csv:

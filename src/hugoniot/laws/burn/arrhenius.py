@@ -2,7 +2,8 @@ r"""Arrhenius rate with the mixture's temperature.
 
 $$\dot\lambda = Z\,(1-\lambda)^m \exp(-T_a/T)$$
 
-Exact at constant temperature; the solver has to resolve what heating does to the rate within a step (its time step is limited by the rate).
+`advance` is exact at constant temperature. The change of the rate by heating within a step must be resolved by the solver, whose time step
+is limited by the rate.
 
 Source: Fickett and Davis, Detonation (1979), chapter 2; C. L. Mader, Numerical Modeling of Detonation (1979). Temperature of the mixture:
 Starkenberg ARL-TR-2161 section 5.6.

@@ -1,19 +1,19 @@
-"""What a burn law owes: how the burn fraction of a zone grows, by a rate or by a schedule.
+"""What a burn law must provide: how the burn fraction of a zone grows, by a rate or by a schedule.
 
     rate(burn_fraction, rho, p, temperature, par)                            1/s; 0 for scheduled and instantaneous laws
     advance(burn_fraction, dt, rho, p, temperature, par)                     burn fraction after dt s at constant rho, p, temperature
     scheduled(burn_fraction, time, lighting_time, zone_size, rho, par)       burn fraction prescribed at `time`, never below `burn_fraction`
-    short_advance(burn_fraction, dt, rho, p, temperature, par)               (`advance`, True), or (any number, False): as much of it as a
-                                                                             packed loop can do (laws that are subcycled; others do it all)
+    short_advance(burn_fraction, dt, rho, p, temperature, par)               (`advance`, True), or (any number, False) where a packed loop
+                                                                             cannot do all of it (only laws that are subcycled)
 
 burn_fraction in [0, 1] is the mass fraction of products; rho kg/m3, p Pa (the mixture's pressure; artificial viscosity added where the
 model's authors do so), temperature K (only laws flagged "temperature_driven" receive one, others 0), lighting_time s when the programmed
-front reaches the zone's nearer face, zone_size m its width at t = 0. A solver calls `scheduled`, then `advance`, whatever the law: the
-one that does not apply returns the burn fraction as it is, and costs nothing in a kernel.
+front reaches the zone's nearer face, zone_size m its width at t = 0. A solver calls `scheduled`, then `advance`, for every law: the
+one that does not apply returns the burn fraction unchanged, at no cost in a kernel.
 
 `advance` is exact at constant state where the rate equation has a closed solution, and otherwise sub-cycled under error control
-("subcycled"). It returns exactly 1 where the equation burns out in finite time, never leaves [0, 1], and does not move 0 unless the law
-ignites by itself. The products' equation of state and the mixing are not the burn law's: see `laws/mixture` and `Reactive`.
+("subcycled"). It returns exactly 1 if burning ends in finite time, never leaves [0, 1], and keeps 0 unless the law includes ignition.
+The products' equation of state and the mixing are not part of the burn law: see `laws/mixture` and `Reactive`.
 
 Flags: "programmed" (needs lighting times), "pressure_driven", "compression_driven", "temperature_driven", "instantaneous", "subcycled".
 """
@@ -39,7 +39,7 @@ class Reactive(NamedTuple):
 
 
 def keeps_time(par, reactants: bool) -> bool:
-    """Whether an explosive burns by a schedule alone: nothing stands for it before it burns (no `reactants`), and no shock burns it."""
+    """Whether an explosive burns by a schedule alone: it has no law before it burns (no `reactants`), and no shock ignites it."""
     return not reactants and "compression_driven" not in BURN.of(par).flags
 
 

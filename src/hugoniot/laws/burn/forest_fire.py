@@ -3,8 +3,8 @@ r"""Forest-fire rates: the logarithm of the rate as a polynomial of the pressure
 $$\dot\lambda = (1-\lambda)\,\frac{1}{t_0}\exp\left(\sum_{i=0}^{14} a_i\,(p/p_0)^i\right), \quad p_{min} < p; \qquad
 \dot\lambda = (1-\lambda)\,r(p) \text{ with } \ln r \text{ linear in } \ln p \text{ between the entries of a table}$$
 
-Below the lowest pressure nothing burns; above the highest one (`p_max`, or the table's last) the rate stays at its value there, because
-a polynomial of degree 14 means nothing outside its fit. Exact at constant pressure.
+Nothing burns below the lowest pressure. Above the highest one (`p_max`, or the last of the table) the rate keeps its value there, because
+a polynomial of degree 14 is meaningless outside the range of its fit. The step is exact at constant pressure.
 
 Source: C. L. Mader, Numerical Modeling of Detonation (1979), chapter 4, with p0 = 1 Mbar and t0 = 1 microsecond.
 """
@@ -123,7 +123,7 @@ BURN.add(
 )
 
 BURN.add(
-    "rate_table", RateTable, line="A table of rates over pressure, logarithmic between its entries, first-order depletion.",
+    "rate_table", RateTable, line="A table of rates against pressure, interpolated logarithmically, first-order depletion.",
     functions={"rate": table_rate, "advance": table_advance, "scheduled": no_schedule},
     example=rate_table((2.0e9, 5.0e9, 1.0e10, 2.0e10, 4.0e10), (2.0e3, 8.0e4, 1.2e6, 1.5e7, 1.0e8)),
     units={"log_pressure": "1", "log_rate": "1", "pressures": "Pa", "rates": "1/s"},

@@ -6,8 +6,9 @@ $$\dot\lambda = \underbrace{I(1-\lambda)^b\left(\tfrac{\rho}{\rho_0} - 1 - a\rig
 
 The ignition term is 0 below the compression 1 + a, the growth terms are 0 in tension and at lambda = 0. `advance` integrates at constant
 density and pressure: by a Taylor series to second order where little burns, else by the third-order pair of Bogacki and Shampine (Appl.
-Math. Letters 2 (1989) 321), and stops exactly at the limits. For the last of the explosive the rate is taken as one power of
-1 - lambda, fitted to two points, whose depletion has a closed form: so burning ends exactly at 1 where the equation does (powers below 1).
+Math. Letters 2 (1989) 321), and stops exactly at the limits. For the last of the explosive the rate is approximated by one power of
+1 - lambda, fitted to two points, whose depletion has a closed form. Burning thus ends exactly at 1 where the equation does (powers below
+1).
 
 Source: E. L. Lee and C. M. Tarver, Physics of Fluids 23 (1980) 2362; C. M. Tarver, J. O. Hallquist, L. M. Erickson, 8th Symposium
 (International) on Detonation, 1985 (three terms).

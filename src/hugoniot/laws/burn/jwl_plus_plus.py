@@ -2,7 +2,8 @@ r"""JWL++: one pressure-driven term with first-order depletion.
 
 $$\dot\lambda = G\,p^b\,(1-\lambda), \qquad p \text{ with the artificial viscosity added}$$
 
-Exact at constant pressure: the unburned fraction decays exponentially. The model mixes pressures by burn fraction (`WeightedPressures`).
+The step is exact at constant pressure: the unburned fraction decays exponentially. In this model the pressures of the phases are weighted
+by burn fraction (`WeightedPressures`).
 
 Source: P. C. Souers, S. Anderson, J. Mercer, E. McGuire, P. Vitello, Propellants, Explosives, Pyrotechnics 25 (2000) 54.
 """

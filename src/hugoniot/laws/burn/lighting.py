@@ -2,8 +2,8 @@ r"""Lighting times of programmed burns: when the front reaches a zone, from poin
 
 $$t_b = \min_k\left(t_k + \frac{d_k}{D}\right), \qquad d_k = \text{distance from detonator } k \text{ to the nearer face of the zone}$$
 
-Source: Herrmann WL-TR-64-107 A.27, there for one point to the left; here any number of points, on either side or inside. Straight
-distances are right where the explosive is convex as seen from the detonator (no obstacle in between).
+Source: Herrmann WL-TR-64-107 A.27, there for one point on the left; here for any number of points, on either side or inside. Straight
+distances are correct as long as there is no obstacle between detonator and zone.
 """
 
 import numpy as np

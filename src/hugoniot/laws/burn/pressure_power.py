@@ -2,10 +2,10 @@ r"""Rate as a power of the pressure, depletion as a power of the unburned fracti
 
 $$\dot\lambda = k\left(\frac{p}{p_0}\right)^n (1-\lambda)^m$$
 
-above the pressure `pressure_threshold`, 0 below. Covers the simple-depletion
-model of Fickett and Rivard (n = 0, m = 1/2: $\lambda = \tau(2-\tau)$). Exact at constant pressure.
+above the pressure `pressure_threshold`, 0 below. The law includes the simple-depletion
+model of Fickett and Rivard (n = 0, m = 1/2: $\lambda = \tau(2-\tau)$). The step is exact at constant pressure.
 
-Source: Starkenberg ARL-TR-2161 section 3 takes any rate of state; Fickett and Davis, Detonation (1979), chapter 2.
+Source: Starkenberg ARL-TR-2161 section 3 allows any rate that depends on the state; Fickett and Davis, Detonation (1979), chapter 2.
 """
 
 from typing import NamedTuple
@@ -40,7 +40,8 @@ def build(*values, **named) -> PressurePower:
     """Parameters; OutOfRange for a negative one, or a reference pressure of 0."""
     par = without_negatives("pressure power", PressurePower(*values, **named))
     if not par.reference_pressure > 0.0:
-        raise OutOfRange("pressure power: reference_pressure must be positive, as the rate constant is the rate at it; got 0 Pa")
+        raise OutOfRange("pressure power: reference_pressure must be positive, because the rate constant is the rate at that pressure; "
+                         "got 0 Pa")
     return par
 
 

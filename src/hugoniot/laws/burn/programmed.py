@@ -1,11 +1,11 @@
-r"""Programmed burn: zones burn when a front of given speed has reached them, or when they are compressed to the CJ density.
+r"""Programmed burn: zones burn when a front of prescribed speed has reached them, or when they are compressed to the CJ density.
 
 $$F_1 = \frac{D\,(t - t_b)}{B_s\,\Delta x^0}, \qquad F_2 = \frac{1 - \rho_0/\rho}{1 - \rho_0/\rho_{CJ}}, \qquad
   F = \max(F_1, F_2) \in [0, 1]$$
 
-`programmed` takes F1 (Herrmann A.27, A.28), `beta` takes F2 (the CJ-volume burn), `programmed_beta` the larger, so that a front
-overdriven by convergence may run ahead of its schedule. A fraction once reached is kept. The lighting time t_b is that of the zone's
-face nearer to the detonation point (A.27; `lighting.py`). The pressure is F times the products' (A.29: `BurnedProducts`).
+`programmed` uses F1 (Herrmann A.27, A.28), `beta` uses F2 (the CJ-volume burn), and `programmed_beta` the larger of the two, so that a
+front overdriven by convergence may run ahead of its schedule. The burn fraction F never decreases. The lighting time t_b is that of the
+zone's face nearer to the detonation point (A.27; `lighting.py`). The pressure is F times that of the products (A.29: `BurnedProducts`).
 """
 
 from typing import NamedTuple
@@ -83,9 +83,9 @@ _BOX = {"rho": (1000.0, 3000.0)}
 
 for _name, _build, _function, _example, _flags, _line in (
     ("programmed", build_programmed, programmed, Programmed(7991.0), ("programmed",),
-     "Programmed burn: zones burn when a front of given speed has reached them."),
+     "Programmed burn: zones burn when a front of prescribed speed has reached them."),
     ("beta", build_beta, beta, Beta(1714.0, 2332.8), ("compression_driven",),
-     "CJ-volume burn: zones burn as far as they are compressed towards the CJ density."),
+     "CJ-volume burn: zones burn in proportion to their compression towards the CJ density."),
     ("programmed_beta", build_programmed_beta, programmed_beta, ProgrammedBeta(7991.0, 1714.0, 2332.8),
      ("programmed", "compression_driven"), "The larger of programmed and CJ-volume burn: a converging front may overtake its schedule."),
 ):

@@ -1,17 +1,17 @@
-r"""Threshold burn of the KB codes: a zone burns at once when its pressure passes a limit.
+r"""Threshold burn of the KB codes: a zone burns instantaneously when its pressure exceeds a limit.
 
 $$\lambda = 1 \quad\text{once}\quad p > P_{init}$$
 
-The zone's chemical energy Q is released and the products' law takes over. **The speed of the wave this makes depends on the threshold
-and does not converge with the mesh**: the release acts inside the smeared shock, at a point of its profile set by the threshold, and
-so everything that shapes that profile matters, including the time step. Composition B (rho0 = 1770, Q = 6.27 MJ/kg, gamma = 3, exact
-D = 10.016 km/s) behind a piston at the CJ velocity, P_init of 1, 5, 10, 20, 30, 40 GPa:
+The zone's chemical energy Q is released and the law of the products applies. **The speed of the resulting wave depends on the threshold
+and does not converge with the mesh**: the energy is released inside the smeared shock, at a point of its profile set by the threshold, so
+the speed depends on everything that shapes this profile, including the time step. For Composition B (rho0 = 1770 kg/m3, Q = 6.27 MJ/kg,
+gamma = 3, exact D = 10.016 km/s) behind a piston at the CJ velocity, and P_init = 1, 5, 10, 20, 30, 40 GPa, the speed is
 
-* as the KB codes have it (leapfrog, `shock_energy` before burning, `kb_two_sided` with C = 1, courant 0.25): 14.39, 10.26, 9.85, 9.92,
-  9.95, 9.99 km/s, on 200 and 800 zones alike within 0.25 %; up to 3 % different with courant 0.2 or 0.3 (1 GPa: 9 %)
-* `compatible` with a Mie-Grüneisen explosive: 12.5, 10.14, 10.10, 10.13, 10.18, 10.22 km/s
+* as in the KB codes (leapfrog, `shock_energy` before burning, `kb_two_sided` with C = 1, courant 0.25): 14.39, 10.26, 9.85, 9.92,
+  9.95, 9.99 km/s, the same on 200 and 800 zones within 0.25 %, and up to 3 % different with courant 0.2 or 0.3 (1 GPa: 9 %)
+* with `compatible` and a Mie-Grüneisen explosive: 12.5, 10.14, 10.10, 10.13, 10.18, 10.22 km/s
 
-Between 5 and 40 GPa it is right to 3 %.
+Between 5 and 40 GPa the speed is correct to 3 %.
 
 Source: KB codes section 4; K-E4, K-E11.
 """
@@ -39,7 +39,7 @@ BURN.add(
     "threshold", Threshold,
     functions={"rate": no_rate, "advance": advance, "scheduled": no_schedule},
     example=Threshold(20.0e9),
-    units={"initiation_pressure": "Pa"}, meaning={"initiation_pressure": "pressure above which a zone burns at once"},
+    units={"initiation_pressure": "Pa"}, meaning={"initiation_pressure": "pressure above which a zone burns instantaneously"},
     box={"p": (0.0, 60.0e9)},
     references=("KB codes, section 4",),
     flags=("pressure_driven", "instantaneous"),

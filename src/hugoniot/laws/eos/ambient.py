@@ -2,16 +2,16 @@ r"""A law whose Hugoniot starts from a stated upstream state: ambient pressure a
 
 $$p(\rho, e) = p_a + p_{\text{base}}(\rho, e'), \qquad e' = e - e_a - p_a\,(v_a - v), \qquad v_a = 1/\rho_0$$
 
-with the base at rest at $\rho_0$, $e' = 0$, p = 0. Shocks from the upstream state have the base's shock and particle velocities: the jump
-$e - e_a = \tfrac12(p + p_a)(v_a - v)$ is $e' = \tfrac12(p - p_a)(v_a - v)$. Isentropes, temperature and sound speed are the base's at e'.
-For a linear base,
+where the base law is at rest at $\rho_0$, $e' = 0$, p = 0. Shocks from the upstream state have the shock and particle velocities of the
+base: the jump $e - e_a = \tfrac12(p + p_a)(v_a - v)$ is $e' = \tfrac12(p - p_a)(v_a - v)$. Isentropes, temperature and sound speed are
+those of the base at e'. For a base with a linear Hugoniot,
 
 $$p_H = p_a + \frac{c_a^2\,(v_a - v)}{[v_a - s_a(v_a - v)]^2}, \qquad
   \Delta p_H(v; p_u, v_u) = \frac{f_H(v; v_a)\,p_H - [1 - f_H(v; v_a)]\,p_a + [1 - f_H(v; v_u)]\,p_u + \rho_\Gamma(e_u - e_a)}{f_H(v; v_u)}
   - p_u, \qquad f_H(v; v_a) = 1 - \tfrac12\rho_\Gamma(v_a - v) .$$
 
-The source would take the Hugoniot of the most recent upstream state as reference for material that is shocked again, and adds that such
-data are seldom measured; where they exist, give this law their upstream state (rho0, pressure, energy) and their line as base.
+For material that is shocked again the source would use the Hugoniot from the most recent upstream state as reference, but notes that such
+data are seldom measured. Where they exist, give this law their upstream state (rho0, pressure, energy) and their Hugoniot as the base.
 
 Source: Starkenberg A-11.1, A-11.2 and A-11.5.
 """

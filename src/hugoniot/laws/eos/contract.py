@@ -1,4 +1,4 @@
-"""What an equation of state owes its users, and everything that follows from it, derived once for all laws.
+"""What an equation of state must provide, and everything that follows from it, derived once for all laws.
 
 A law gives, for one point (rho in kg/m3, e in J/kg) and its parameter tuple:
 
@@ -12,10 +12,10 @@ and, where its theory has them in closed form,
     energy(rho, p, par)                   e, J/kg (inverse of pressure at constant rho)
     reference_state(par)                  (rho, e) of the material at rest: zero (or ambient) pressure
     density_limits(par)                   (lowest, highest) density at which the law is defined
-    particle_velocity_limit(par)          largest particle velocity the law's Hugoniot fit can answer, m/s
+    particle_velocity_limit(par)          largest particle velocity for which the law's Hugoniot fit is valid, m/s
     energy_limits(rho, par)               (lowest, highest) energy at a density at which the law is defined (tables)
     pressure_and_derivatives(rho, e, par) (p, dp/drho, dp/de) at once, for laws that search; all others have it from the first two
-    reference_curve(rho, par), hugoniot_curve(eta, par)   what laws built on a curve give to reference_curves, which holds the rest
+    reference_curve(rho, par), hugoniot_curve(eta, par)   for laws built on a curve; reference_curves derives the rest
     reference_isentrope(rho, par)         (e_S, ln phi): one isentrope, and the growth phi of energies beside it, of laws that are linear in
                                           the energy: all isentropes are e_S + constant phi, with d ln phi / d ln rho = Gamma
     smooth_piece(rho, e, way, par)        (parameters, lowest, highest density) of the smooth law that equals this one in the piece entered
@@ -23,16 +23,16 @@ and, where its theory has them in closed form,
                                           it beyond; lowest = highest where the isentrope leaves the law there
     piece_coordinate(rho, e, piece)       (g, dg/drho at e, dg/de at rho): in the piece between those densities while 0 <= g <= 1
 
-The last two are needed only from laws whose slopes jump in many places (tables); all others are one piece.
+The last two are needed only for laws whose slopes jump in many places (tables); all others are one piece.
 
-A law with a memory (pores that stay crushed) has one history variable, the compaction: 0 before anything has happened, 1 once all that
-can happen has, never falling. It is flagged "remembers" and gives three functions more; without them it answers for its first loading:
+A law with a memory (pores that stay crushed) has one history variable, the compaction, which rises from 0 to 1 (all pores closed) and never
+falls. It is flagged "remembers" and has three more functions; without them it describes the first loading:
 
     remembered(compaction, par)           parameters, of the same class, of the law after that history
     unloading(par)                        parameters of its elastic branch: the same history, and no further compaction
-    compacted(compaction, rho, e, p, par) the compaction after the state (rho, e, p) has been met
+    compacted(compaction, rho, e, p, par) the compaction after the state (rho, e, p) has been reached
 
-Kernels do not check states; `check_state` does, for callers at the surface.
+Kernels do not check states; `check_state` does, for interactive callers.
 
 The functions below dispatch on the class of `par`, in Python and, through `core.binder`, inside kernels.
 """
@@ -213,7 +213,7 @@ def adiabatic_exponent(rho, e, par):
 
 # -- at the surface: clear answers for what a law cannot do ----------------------------------------------------------
 def particle_velocity_limit(par) -> float:
-    """Largest particle velocity of a shock into the reference state that the law can answer, m/s; inf where there is none (J-E16)."""
+    """Largest particle velocity of a shock into the reference state for which the law is valid, m/s; inf where there is none (J-E16)."""
     function = EOS.of(par).functions.get("particle_velocity_limit")
     return function(par) if function else math.inf
 
@@ -267,7 +267,7 @@ def flagged(par, flag: str) -> bool:
 
 
 def is_condensed(par) -> bool:
-    """Whether a material without pores holds together at rest: rho c^2 far above its pressure, which in a gas is rho c^2 / gamma."""
+    """Whether a material is condensed: rho c^2 far above its pressure at rest, which in a gas is rho c^2 / gamma; false with pores."""
     if flagged(par, "remembers") or not gives(par, "reference_state"):
         return False
     rho, e = reference_state(par)

@@ -104,7 +104,7 @@ EOS.add(
                reference_isentrope],
     example=DavisProducts(0.798311, 0.58, 1.35, 2.66182, 0.75419e-3, 3.2e9, 1890.0, 4.115e6, 1072.0),
     units={"a": "1", "b": "1", "k": "1", "n": "1", "vc": "m^3/kg", "pc": "Pa", "rho0": "kg/m^3", "e0": "J/kg", "specific_heat": "J/kg/K"},
-    meaning={"a": "strength of the transition", "b": "share of the transition left out of Gamma", "k": "adiabatic exponent at large volume",
+    meaning={"a": "strength of the transition", "b": "part of the transition omitted from Gamma", "k": "adiabatic exponent at large volume",
              "n": "sharpness of the transition", "vc": "specific volume of the transition", "pc": "pressure scale of the transition",
              "rho0": "density of the unreacted explosive", "e0": "energy of the unreacted explosive",
              "specific_heat": "specific heat at constant volume (for temperatures)"},

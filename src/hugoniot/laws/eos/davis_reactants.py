@@ -7,7 +7,7 @@ $$p_s = \hat p\left[e^{4By} - 1\right]\ (y < 0), \qquad
 
 $e_s = e_0 + \int_0^y p_s\,dy/\rho_0$; $\Gamma = \Gamma_0$ for y < 0 and $\Gamma_0 + Zy$ above; $p = p_s + \rho\Gamma(e - e_s)$.
 The specific heat
-$c_v = c_{v0}(T/T_s)^{\alpha}$ makes
+$c_v = c_{v0}(T/T_s)^{\alpha}$ gives
 
 $$T = T_s\left[1 + \frac{(1+\alpha)(e - e_s)}{c_{v0}T_s}\right]^{1/(1+\alpha)}, \quad T_s = T_0(1-y)^{-\Gamma_0-Z}e^{-Zy}
   \ (Z = 0 \text{ for } y < 0).$$

@@ -4,21 +4,21 @@ $$p(\rho, e) = p_{\text{base}}(\rho,\, e - e_s) + p_s(\rho), \qquad
   p_s = \frac{K}{n}\left(X^n - 1\right), \quad
   e_s = \frac{K}{n\rho_s}\left[\frac{X^{n-1} - 1}{n - 1} + \frac1X - 1\right], \quad X = \rho/\rho_s > 1$$
 
-and $p_s = e_s = 0$ at lower densities. The base is a law fitted to the powder itself, rho_s the density of its grains at rest, K and n
-their bulk modulus and its pressure derivative; a linear Hugoniot of the solid has $K = \rho_sc_0^2$ and $n = 4s - 1$. A fit says nothing
-about densities at which nothing was measured: with a slope below 1 its pressure stays finite even at zero volume (J-E16), long after
-the grains have filled the space. Here the grains resist, along Murnaghan's curve.
+and $p_s = e_s = 0$ at lower densities. The base is a law fitted to the powder itself, rho_s is the density of its grains at rest, and K and
+n are their bulk modulus and its pressure derivative; for a linear Hugoniot of the solid $K = \rho_sc_0^2$ and $n = 4s - 1$. A fit is not
+valid at densities where nothing was measured: with a slope below 1 its pressure stays finite even at zero volume (J-E16), although the
+grains would long since fill the whole space. In this law they resist, along Murnaghan's curve.
 
-Since $e_s = -\int p_s\,dv$, a potential of the volume alone is added to the powder's: temperature and entropy are the base law's at
-$e - e_s$, and $c^2 = c_{\text{base}}^2 + (K/\rho_s)X^{n-1}$ for X > 1, so that a stable law stays stable. Below rho_s nothing changes, not
-even the last digit. At rho_s pressure and energy are continuous and the sound speed jumps up, as where pores have closed; a Hugoniot
-that stiffens makes one shock, not two. A base law whose own compression limit lies below rho_s never reaches it.
+Since $e_s = -\int p_s\,dv$, the added potential depends on the volume alone. Temperature and entropy are those of the base law at
+$e - e_s$, and $c^2 = c_{\text{base}}^2 + (K/\rho_s)X^{n-1}$ for X > 1, so that a stable law stays stable. Below rho_s the law is identical
+to the base law. At rho_s pressure and energy are continuous and the sound speed jumps up, as where pores have closed; a Hugoniot that
+stiffens gives one shock, not two. A base law whose own compression limit lies below rho_s never reaches rho_s.
 
-The thermal pressure is the base law's: its Grüneisen parameter is the powder's, far below the solid's at that density, so that hot
-grains take up less space than they should. Where that matters, use a compaction law (snow_plough, p_alpha, p_lambda), whose pores also
+The thermal pressure is that of the base law. Its Grüneisen parameter is that of the powder, far below the solid's at that density, so hot
+grains occupy less space than they should. Where that matters, use a compaction law (snow_plough, p_alpha, p_lambda), whose pores also
 stay closed on release; here, as with any law without memory, released powder expands again.
 
-Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.1 and XI.2 (a cold pressure and energy, of the volume alone, beside the rest);
+Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.1 and XI.2 (cold pressure and energy, which depend on the volume alone);
 Murnaghan 1944.
 """
 

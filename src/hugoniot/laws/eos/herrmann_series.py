@@ -2,12 +2,11 @@ r"""Power series in the compression eta = 1 - rho0/rho, linear in energy (the fo
 
 $$p = k_0\eta\,(1 + k_1\eta + k_2\eta^2 + k_3\eta^3) + e\,h_0\,(1 + h_1\eta + h_2\eta^2 + h_3\eta^3)$$
 
-$h_0(1 + \dots) = \rho\Gamma$, so h0 = rho0 gamma0 (kg/m3) with the energy per mass. `converters` makes the eight numbers from c and s, from
-Murnaghan, finite strain or Rice-McQueen-Walsh constants. The series is used unchanged in tension.
-With h0 = 0 the pressure follows the density alone (A.11), and no energy follows from density and pressure.
-Temperature (constant $c_v$): $T = T_0\varphi + (e - e_S)/c_v$, $\ln\varphi = \frac{h_0}{\rho_0}(\eta + \tfrac12h_1\eta^2 + \dots)$,
-$e_S = \varphi\int_0^\eta f_1/(\rho_0\varphi)\,dt$, $f_1$ the part of p without e, by 16 Gauss points (the
-integrand is entire: exact to rounding).
+$h_0(1 + \dots) = \rho\Gamma$, so h0 = rho0 gamma0 (kg/m3) with the energy per mass. `converters` computes the eight coefficients from c and
+s, or from Murnaghan, finite-strain or Rice-McQueen-Walsh constants. The series is used unchanged in tension. With h0 = 0 the pressure
+depends on the density alone (A.11), and density and pressure do not determine the energy. Temperature (constant $c_v$): $T = T_0\varphi +
+(e - e_S)/c_v$, $\ln\varphi = \frac{h_0}{\rho_0}(\eta + \tfrac12h_1\eta^2 + \dots)$, $e_S = \varphi\int_0^\eta f_1/(\rho_0\varphi)\,dt$,
+$f_1$ the part of p without e, by 16 Gauss points (the integrand is entire: exact to rounding).
 
 Source: Herrmann eq. 3.6, A.12, C.1, C.16.
 """

@@ -2,7 +2,7 @@ r"""Ideal gas with constant specific heats.
 
 $$p = (\gamma - 1)\,\rho e, \qquad T = e / c_v, \qquad s = c_v \ln\left(p\,\rho^{-\gamma}\right)$$
 
-At rest it has the density rho0 and 298.15 K.
+Its reference state is the density rho0 at 298.15 K.
 
 Source: Starkenberg A-7, polytropic gas; KB codes eq. 4.4 with the corrected density (K-E4: rho, not rho0).
 """
@@ -64,7 +64,7 @@ EOS.add(
     example=IdealGas(1.4),
     units={"gamma": "1", "specific_heat": "J/kg/K", "rho0": "kg/m^3"},
     meaning={"gamma": "ratio of specific heats", "specific_heat": "specific heat at constant volume",
-             "rho0": "density at rest if a region gives none"},
+             "rho0": "density at rest unless a region gives one"},
     defaults={"specific_heat": 717.5, "rho0": 1.2},
     box={"rho": (1e-3, 100.0), "e": (1e3, 1e8)},
     above={"gamma": 1.0},

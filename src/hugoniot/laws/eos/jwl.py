@@ -6,16 +6,17 @@ $$c^2 = \omega(\omega+1)\left[e_1\left(\frac{(R_1V)^2}{\omega(\omega+1)} - 1\rig
       + e_2\left(\frac{(R_2V)^2}{\omega(\omega+1)} - 1\right)e^{-R_2V} + e\right],
   \quad e_1 = \frac{A}{R_1\rho_0},\; e_2 = \frac{B}{R_2\rho_0}$$
 
-(the prefactor corrected: S-E10). The isentropes are $e_S = e_1e^{-R_1V} + e_2e^{-R_2V} + a\,V^{-\omega}$. Temperature:
-$T = (e - e_C)/c_v$ on the cold isentrope with $a$ = `cold_constant` (0 unless a temperature of the products is known, Starkenberg A-4).
+(with the prefactor corrected: S-E10). The isentropes are $e_S = e_1e^{-R_1V} + e_2e^{-R_2V} + a\,V^{-\omega}$. The temperature is
+$T = (e - e_C)/c_v$, with $e_C$ the cold isentrope for $a$ = `cold_constant` (0 unless a temperature of the products is known, Starkenberg
+A-4).
 
-**B < 0**, as in sets of unreacted explosives: the cold pressure $f = Ae^{-R_1V} + Be^{-R_2V}$ falls to its greatest tension at
+**B < 0**, as in sets for unreacted explosives: the cold pressure $f = Ae^{-R_1V} + Be^{-R_2V}$ falls to its greatest tension at
 
 $$V_t = \frac{1}{R_1 - R_2}\ln\frac{AR_1}{-BR_2}$$
 
-and would rise again beyond, with an imaginary sound speed in material stretched that far. The fit says nothing about such volumes. Here
-the cold pressure keeps $f(V_t)$ from there on, its energy growing by $-f(V_t)(V - V_t)/\rho_0$: smooth to the first derivative, with
-the same isentropes in V^-omega beside it, and $c^2 = \omega(\omega+1)(e - e_C) > 0$ at any temperature above zero.
+and would rise again beyond, with an imaginary sound speed in material stretched that far. The fit is not valid at such volumes. Beyond V_t
+the cold pressure therefore keeps the value $f(V_t)$, and the cold energy grows by $-f(V_t)(V - V_t)/\rho_0$. The law is smooth to the first
+derivative, the isentropes still differ by a term in V^-omega, and $c^2 = \omega(\omega+1)(e - e_C) > 0$ at any temperature above zero.
 
 Source: Starkenberg A-9 after Lee and Hornig.
 """

@@ -3,8 +3,8 @@ r"""JWL form fitted to an unreacted explosive, at rest under zero pressure.
 $$p = A\left(1 - \frac{\omega}{R_1V}\right)e^{-R_1V} + B\left(1 - \frac{\omega}{R_2V}\right)e^{-R_2V} + \omega\rho e,
   \qquad V = \rho_0/\rho$$
 
-The pressure is that of the law jwl. The rest state is rho0 at the energy of zero pressure, which published sets (made so that
-$A e^{-R_1} + B e^{-R_2} + \omega\rho_0c_vT_0 \approx 0$) meet within some 10 MPa. Temperature (constant $c_v$):
+The pressure is that of the law jwl. The rest state is rho0 at the energy that gives zero pressure. Published sets are made so that
+$A e^{-R_1} + B e^{-R_2} + \omega\rho_0c_vT_0 \approx 0$, which they satisfy within some 10 MPa. Temperature (constant $c_v$):
 $T = T_0V^{-\omega} + (e - e_S)/c_v$ on the isentrope through the rest state, $e_S = h_S(V) + [e_0 - h_S(1)]V^{-\omega}$,
 $h_S = (A/R_1\,e^{-R_1V} + B/R_2\,e^{-R_2V})/\rho_0$.
 

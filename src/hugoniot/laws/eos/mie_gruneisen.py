@@ -2,23 +2,23 @@ r"""Mie-Grüneisen solid on a linear shock Hugoniot, rho Gamma constant.
 
 $$p = p_R(\eta) + \rho_0\Gamma_0\,[e - e_R(\eta)], \qquad \eta = 1 - \rho_0/\rho$$
 
-Compression ($\eta \ge 0$): the reference is the principal Hugoniot of $U_s = c_0 + s\,u_p$,
+In compression ($\eta \ge 0$) the reference is the principal Hugoniot of $U_s = c_0 + s\,u_p$,
 
 $$p_R = \frac{\rho_0 c_0^2\,\eta}{(1 - s\eta)^2}, \qquad e_R = \frac{p_R\,\eta}{2\rho_0},$$
 
-so every state of the measured Hugoniot is reproduced exactly for any $\Gamma_0$. Tension ($\eta < 0$): the reference is an isentrope,
+so every state of the measured Hugoniot is reproduced exactly for any $\Gamma_0$. In tension ($\eta < 0$) the reference is an isentrope,
 
 $$e_R = \frac{c_0^2\eta^2}{2(1 - a\eta)}, \quad p_R = \rho_0 \frac{de_R}{d\eta}
      = \rho_0 c_0^2\,\eta\,\frac{1 - a\eta/2}{(1 - a\eta)^2}, \quad \frac{dp_R}{d\eta} = \frac{\rho_0c_0^2}{(1 - a\eta)^3},
      \quad a = \tfrac43 s.$$
 
-This value of a makes pressure, slope and curvature continue those of the Hugoniot (which shares them with its isentrope), the slope is
-positive at every expansion, so c^2 > 0 wherever e >= e_R, and the tension of the cold solid is bounded by 3 rho0 c0^2 / (8 s), about the
+With this value of a, pressure, slope and curvature are continuous with those of the Hugoniot (and of its isentrope). The slope is
+positive at every expansion, so c^2 > 0 wherever e >= e_R, and the tension of the cold solid is limited to 3 rho0 c0^2 / (8 s), about the
 ideal strength of a metal.
 
 Temperature (constant $c_v$, Starkenberg A-4 with w = 1): $T = T_0 e^{\Gamma_0\eta} + (e - e_S)/c_v$ where $e_S$ is the isentrope through
 the reference state. In tension $e_S = e_R$; in compression it solves $e_S' - \Gamma_0 e_S = c_0^2\eta(1 - \Gamma_0\eta/2)/(1 - s\eta)^2$,
-whose exact solution holds the exponential integral (Jordan eq. 5.1.9; J-E8: not an error function). With $y = 1 - s\eta$, $\beta =
+whose exact solution contains the exponential integral (Jordan eq. 5.1.9; J-E8: not an error function). With $y = 1 - s\eta$, $\beta =
 \Gamma_0/s$:
 
 $$e_S = \frac{c_0^2}{s^2}\Big\{\left(1-\tfrac{\beta}{2}\right)\left(\tfrac1y - e^{\beta(1-y)}\right) 

@@ -4,11 +4,11 @@ $$p = P_c + \rho_0\Gamma_0(e - E_c), \quad P_c = \rho_0\frac{dE_c}{d\eta}, \quad
   = S(\eta) = \frac{c_0^2\,\eta\,(1 - \Gamma_0\eta/2)}{(1 - s\eta)^2}, \quad E_c(0) = E_{00}$$
 
 The exact solution is an exponential integral, given in mie_gruneisen (J-E8: not an error function): $E_c = E_{00}e^{\Gamma_0\eta} + e_S$.
-Substituting it gives $p = \rho_0(S + \Gamma_0e)$, the Hugoniot-referenced law: with the exact cold curve the shock state is right for any
-Gamma0, and only the temperature, $T = (e - E_c)/c_v$, depends on E00 (= $-c_vT_0$ when the rest state is at T0 and e = 0).
-Truncations of E_c at orders 3 to 6 are the law mie_gruneisen_cold_series.
+Substituting it gives $p = \rho_0(S + \Gamma_0e)$, the Hugoniot-referenced law. With the exact cold curve the shock state is thus correct
+for any Gamma0, and only the temperature, $T = (e - E_c)/c_v$, depends on E00 (= $-c_vT_0$ if the rest state is at T0 and e = 0). The law
+mie_gruneisen_cold_series truncates E_c at order 3 to 6.
 
-Source: Jordan eq. 5.1.1 to 5.1.13, whose 5.1.10 is restored here.
+Source: Jordan eq. 5.1.1 to 5.1.13; 5.1.10, missing from our copy, is rederived here.
 """
 
 import math

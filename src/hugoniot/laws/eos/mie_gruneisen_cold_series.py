@@ -5,11 +5,11 @@ $$p = P_c + \rho_0\Gamma_0(e - E_c), \qquad E_c = \sum_{n=0}^{N} e_n\eta^n,
 $$(n+1)\,e_{n+1} = \Gamma_0e_n + S_n, \qquad S_n = c_0^2\left[n s^{n-1} - \tfrac{\Gamma_0}{2}(n-1)s^{n-2}\right]$$
 
 so $e_2 = (c_0^2 + \Gamma_0^2E_{00})/2$, $e_3 = (4sc_0^2 + \Gamma_0^3E_{00})/6$.
-The truncation is what the source used: its error grows with
-strain (copper, order 3: 21 % of E_c at eta = 0.3); mie_gruneisen_cold has none. The series is used unchanged in tension.
+The source uses this truncation, whose error grows with
+strain (copper, order 3: 21 % of E_c at eta = 0.3); mie_gruneisen_cold is not truncated. The series is used unchanged in tension.
 The example is that of mie_gruneisen_cold at order 4.
 
-Source: Jordan eq. 5.1.11 to 5.1.13 (deleted from the source, recovered).
+Source: Jordan eq. 5.1.11 to 5.1.13 (missing from our copy, rederived).
 """
 
 import math

@@ -4,7 +4,7 @@ $$U_s = c_0 + \left[s_1 + s_2\frac{u_p}{U_s} + s_3\left(\frac{u_p}{U_s}\right)^2
   p_H = \frac{\rho_0c_0^2\,\eta}{(1 - s_1\eta - s_2\eta^2 - s_3\eta^3)^2}, \qquad e_H = \frac{p_H\eta}{2\rho_0},$$
 $$p = p_H + \rho\Gamma\,(e - e_H), \quad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \quad \mu = \rho/\rho_0 - 1, \quad \eta = 1 - \rho_0/\rho.$$
 
-Below rho0 the isentrope of bounded tension of mie_gruneisen takes over. Temperature as in mie_gruneisen_linear_gamma, by 16 Gauss points
+Below rho0 the isentrope of limited tension of mie_gruneisen is used. Temperature as in mie_gruneisen_linear_gamma, by 16 Gauss points
 in eta (error below 1e-12 of e up to 70 % of the limiting strain).
 
 Source: Steinberg, Cochran and Guinan 1980 as quoted by Starkenberg A-6; Starkenberg A-11.

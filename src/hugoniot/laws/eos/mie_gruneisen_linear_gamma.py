@@ -3,9 +3,9 @@ r"""Mie-Grüneisen solid on a linear shock Hugoniot, Grüneisen parameter linear
 $$p = p_R(\eta) + \rho\Gamma\,[e - e_R(\eta)], \qquad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \quad
   \Gamma = \frac{\Gamma_0 + b\mu}{1+\mu}, \quad \mu = \rho/\rho_0 - 1, \quad \eta = 1 - \rho_0/\rho$$
 
-with the reference curves of mie_gruneisen: the principal Hugoniot $\rho_0c_0^2\eta/(1-s\eta)^2$ in compression, an isentrope of bounded
-tension below rho0. b = 0 is rho Gamma constant, b = gamma0 is Gamma constant; Starkenberg's $\Gamma_o + \rho_{\Gamma o}v$ is b =
-$\Gamma_o$.
+with the reference curves of mie_gruneisen: the principal Hugoniot $\rho_0c_0^2\eta/(1-s\eta)^2$ in compression, an isentrope of limited
+tension below rho0. With b = 0 rho Gamma is constant, with b = gamma0 Gamma is constant. Starkenberg's $\Gamma_o + \rho_{\Gamma o}v$ has
+b = $\Gamma_o$.
 
 Temperature (constant $c_v$): $T = T_0\varphi + (e - e_S)/c_v$ with $\varphi = e^{(\Gamma_0-b)\eta}(1-\eta)^{-b}$ and the isentrope energy
 

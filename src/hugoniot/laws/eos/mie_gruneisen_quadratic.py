@@ -1,13 +1,13 @@
 r"""Mie-Grüneisen solid on a quadratic shock Hugoniot Us = c0 + s1 up + s2 up^2.
 
-With $u_p = \eta U_s$ the fit is a quadratic for $U_s$; its root that starts from c0 is
+With $u_p = \eta U_s$ the fit becomes a quadratic equation for $U_s$; the root that starts from c0 is
 
 $$U_s = \frac{2c_0}{1 - s_1\eta + \sqrt{(1 - s_1\eta)^2 - 4 s_2c_0\eta^2}},
   \qquad p_H = \rho_0U_s^2\eta, \qquad e_H = \frac{p_H\eta}{2\rho_0},$$
 $$p = p_H + \rho\Gamma\,(e - e_H), \quad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \quad \mu = \rho/\rho_0 - 1, \quad \eta = 1 - \rho_0/\rho.$$
 
-Below rho0 the isentrope of bounded tension of mie_gruneisen takes over (pressure, slope and curvature continuous).
-For s2 > 0 the root ends at $u_p = \sqrt{c_0/s_2}$, the strain $1/(s_1 + 2\sqrt{c_0s_2})$; for s2 < 0 the fit is meaningless beyond its
+Below rho0 the isentrope of limited tension of mie_gruneisen is used (pressure, slope and curvature are continuous).
+For s2 > 0 the root ends at $u_p = \sqrt{c_0/s_2}$, the strain $1/(s_1 + 2\sqrt{c_0s_2})$. For s2 < 0 the fit is meaningless beyond its
 highest Us, $u_p = s_1/(2|s_2|)$, or where Us has fallen to up. Temperature as in mie_gruneisen_linear_gamma, by 16 Gauss points in eta
 (error below 1e-12 of e up to 70 % of the limiting strain).
 

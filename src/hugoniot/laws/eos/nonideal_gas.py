@@ -3,7 +3,7 @@ r"""Gas with one measured isentrope p1 (rho/rho1)^beta as its reference, for det
 $$p = \chi\rho^\beta + \Gamma\rho e, \qquad \chi = p_1\rho_1^{-\beta}\left(1 - \frac{\Gamma}{\beta - 1}\right)$$
 
 The isentrope through (rho1, p1), usually the CJ state, is $p_i = p_1(\rho/\rho_1)^\beta$, $e_i = p_i/(\rho(\beta-1))$.
-Temperature (constant $c_v$): $T = T_1(\rho/\rho_1)^\Gamma + (e - e_i)/c_v$ with T1 the temperature at (rho1, p1).
+Temperature (constant $c_v$): $T = T_1(\rho/\rho_1)^\Gamma + (e - e_i)/c_v$, where T1 is the temperature at (rho1, p1).
 
 Source: Herrmann C.19 to C.23 (in the pentolite example "p_i = 2.77" is beta: H-E12).
 """

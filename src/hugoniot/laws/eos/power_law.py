@@ -2,9 +2,9 @@ r"""Pressure as a power of the density alone, the isentrope of a gamma-law gas w
 
 $$p = A\rho^\gamma = p_0\left(\frac{\rho}{\rho_0}\right)^\gamma, \qquad c^2 = \gamma p/\rho$$
 
-The energy does not enter: the heat of a shock has no effect, and material that expands again returns to its first density at its
-first pressure. Sound waves and rarefactions are those of the gas; for shocks use `ideal_gas`. There is no temperature, and no energy
-follows from density and pressure.
+The pressure does not depend on the energy: shock heating has no effect, and material that expands again returns to its initial density at
+its initial pressure. Sound waves and rarefactions are those of the gas; for shocks use `ideal_gas`. There is no temperature, and density
+and pressure do not determine the energy.
 
 Source: KB codes eq. 2.5 and 2.6.
 """

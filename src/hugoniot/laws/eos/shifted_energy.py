@@ -1,8 +1,8 @@
-r"""Shifted origin of energy: any law with its zero of energy moved.
+r"""Shifted origin of energy: any law with a different zero of energy.
 
 $$p(\rho, e) = p_{\text{base}}(\rho, e + \Delta e)$$
 
-so that laws of one problem (an explosive and its products, two phases) count energy from one origin.
+so that the laws of a problem (an explosive and its products, two phases) have the same origin of energy.
 
 Source: Starkenberg A-1 (the energy of an equation of state is defined up to a constant).
 """

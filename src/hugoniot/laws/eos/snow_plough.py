@@ -107,7 +107,8 @@ def build(base, rho_porous, crush_pressure):
     if not 0.0 < rho_porous < solid:
         raise OutOfRange(f"snow_plough: rho_porous must lie between 0 and the solid's {solid:.6g} kg/m3, got {rho_porous}")
     if not crush_pressure > 0.0:
-        raise OutOfRange(f"snow_plough: crush_pressure must be positive (a soft one lets pores close freely), got {crush_pressure}")
+        raise OutOfRange("snow_plough: crush_pressure must be positive (a small value lets pores close almost freely), got "
+                         f"{crush_pressure}")
     stiffness = float(base_sound_speed_squared(*base_reference_state(base), base))
     if not crush_pressure < 0.5 * stiffness * (solid - rho_porous):
         raise OutOfRange(f"snow_plough: crush_pressure {crush_pressure:.4g} Pa makes the pores stiffer than the solid; stay well below "

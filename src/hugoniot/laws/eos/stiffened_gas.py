@@ -3,8 +3,8 @@ r"""Stiffened gas: an ideal gas under a constant internal pressure, for liquids.
 $$p = (\gamma - 1)\rho e - \gamma P_\infty, \qquad T = \frac{e - P_\infty/\rho}{c_v}, \qquad
   s = c_v \ln\frac{T}{T_0} - (\gamma - 1)c_v\ln\frac{\rho}{\rho_0}$$
 
-$P_\infty > 0$ is minus the $p_\infty$ of the source, whose sign is the opposite (S-E8); adiabatic exponent $\gamma(p + P_\infty)/p$ (S-E6).
-T0 is the temperature at rest: rho0 under zero pressure.
+$P_\infty > 0$ is minus the $p_\infty$ of the source, which has the opposite sign (S-E8). The adiabatic exponent is $\gamma(p + P_\infty)/p$
+(S-E6). T0 is the temperature at rest, that is, at rho0 and zero pressure.
 
 Source: Starkenberg A-8.
 """

@@ -1,17 +1,17 @@
 r"""Tabulated equation of state p(rho, T), e(rho, T), bilinear, with inverse interpolation T(rho, e).
 
-In the cell of (rho, T) both tables are bilinear; the temperature of (rho, e) is found by bisection along the row blended at rho and is
-exact. With $e_T = \partial e/\partial T$ and so on,
+In each cell of (rho, T) both tables are bilinear. The temperature at (rho, e) is exact: the row is interpolated to rho and the cell found
+by bisection. With $e_T = \partial e/\partial T$ and so on,
 
 $$\frac{\partial p}{\partial e}\Big|_\rho = \frac{p_T}{e_T}, \; \frac{\partial p}{\partial\rho}\Big|_e = p_\rho - e_\rho\frac{p_T}{e_T}.$$
 
-`build` refuses a table with a hole, an unordered grid, an energy that does not rise with temperature (c_v > 0 everywhere follows) or, where
-the pressure is not negative, a corner of a cell with c^2 <= 0. With a least_sound_speed c_m such corners are accepted, and wherever
-c^2 < c_m^2 the slope p_rho is raised until c = c_m: pressures and energies stay those of the table.
+`build` refuses a table with a missing value, an unordered grid, an energy that does not rise with temperature (so that c_v > 0 everywhere)
+or, where the pressure is not negative, a cell corner with c^2 <= 0. With a least_sound_speed c_m such corners are accepted, and wherever
+c^2 < c_m^2 the slope p_rho is raised until c = c_m; pressures and energies remain those of the table.
 
 `from_law` tabulates any law that has a temperature. Outside the grid
-the nearest cell is continued; `check_state` refuses such states. The law has no entropy: bilinear p and e obey the identity
-$e_v = T p_T - p$ only as far as the table resolves them, so no function s has ds = (de + p dv)/T exactly.
+the nearest cell is extrapolated; `check_state` refuses such states. The law has no entropy: bilinear p and e satisfy the identity
+$e_v = T p_T - p$ only to the resolution of the table, so no function s has ds = (de + p dv)/T exactly.
 
 Source: KB codes, section 3 (tables in density and temperature); Lyon and Johnson, LA-UR-92-3407 (SESAME 301).
 """

@@ -1,13 +1,13 @@
-r"""Temperature with a general exponent: a specific heat that changes along isochores, over any law with a constant one.
+r"""Temperature with a general exponent: a specific heat that varies along isochores, added to any law with a constant one.
 
 $$T = T_0\varphi\left[1 + \frac{e - e_S(v)}{w\,c_{v0}T_0\varphi}\right]^w, \qquad
   c_v = c_{v0}\left(\frac{T}{T_0\varphi}\right)^{(1-w)/w}, \qquad
   s = w\,c_{v0}\,\frac{y^{1-w} - 1}{1-w}, \quad y = 1 + \frac{y_1 - 1}{w}, \quad y_1 = e^{s_1/c_{v0}}$$
 
-with $\varphi = T_S/T_0$ on the isentrope $e_S$ through the state at rest, and $s_1$, $T_1 = T_0\varphi y_1$ those of the base (w = 1).
-It is the source's $T = (\Gamma_0T_0/f_S)\{[e - e_S(v; v_\infty, e_\infty)]f_S/RT_0\}^w$ with $\varphi = 1/f_S$ and the cold curve where
-the bracket above vanishes. Temperature and specific heat at rest are the base's; with w < 1 the specific heat grows on heating, which the
-source calls inconsistent with quantum statistics at high temperature. The pressure is the base's.
+with $\varphi = T_S/T_0$ on the isentrope $e_S$ through the state at rest, and $s_1$, $T_1 = T_0\varphi y_1$ those of the base law (w = 1).
+This is the source's $T = (\Gamma_0T_0/f_S)\{[e - e_S(v; v_\infty, e_\infty)]f_S/RT_0\}^w$ with $\varphi = 1/f_S$; on its cold curve
+the bracket above vanishes. Temperature and specific heat at rest are those of the base. With w < 1 the specific heat grows on heating,
+which the source calls inconsistent with quantum statistics at high temperature. The pressure is that of the base.
 
 Source: Starkenberg A-4.
 """

@@ -2,9 +2,9 @@ r"""Tension cut-off: any law that supports no more than a given tension.
 
 $$p(\rho, e) = \max\left[p_{\text{base}}(\rho, e),\; -p_{\text{cut}}\right]$$
 
-Where the cut acts both derivatives are 0 (and so is the sound speed if p_cut = 0): the stretched material is a spray of constant
-pressure. It recovers by recompression to the density at which the cut began. The base law's temperature is kept; an entropy is not
-given, as the base law's no longer has T ds = de + p dv where the cut acts.
+Where the cut-off acts both derivatives are 0 (and so is the sound speed if p_cut = 0): the stretched material is a spray of constant
+pressure. It recovers by recompression to the density at which the cut-off began. The temperature is that of the base law. There is no
+entropy, because that of the base law no longer satisfies T ds = de + p dv where the cut-off acts.
 
 Source: Wilkins B.2 (pressure limit of materials that spall); a minimum-pressure model as in every hydrocode.
 """

@@ -5,8 +5,8 @@ With $X = \rho/\rho_0$, $\mu = X - 1$, $\omega = e/(E_0X^2) + 1$:
 $$p_1 = \left(a + \frac{b}{\omega}\right)\rho e + A\mu + B\mu^2 \qquad (X \ge 1 \text{ or } e \le E_{iv})$$
 $$p_3 = a\rho e + \left[\frac{b\rho e}{\omega} + A\mu\,e^{-\beta(1/X - 1)}\right]e^{-\alpha(1/X - 1)^2} \qquad (X < 1,\ e \ge E_{cv})$$
 
-and for X < 1 between the two energies $p = [(e - E_{iv})p_3 + (E_{cv} - e)p_1]/(E_{cv} - E_{iv})$, continuous on every border.
-The theory gives the pressure only: no temperature, hence no entropy. The law is not linear in energy.
+and for X < 1 between the two energies $p = [(e - E_{iv})p_3 + (E_{cv} - e)p_1]/(E_{cv} - E_{iv})$, continuous at every boundary.
+The theory gives only the pressure, hence neither temperature nor entropy. The law is not linear in the energy.
 
 Source: Tillotson, General Atomic GA-3216 (1962); the interpolation as in Melosh, Impact Cratering (1989), App. II.
 """

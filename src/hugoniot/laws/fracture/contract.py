@@ -1,12 +1,12 @@
-"""What a fracture law owes: how near a zone is to failure, how damage grows, and the tension it can carry.
+"""What a fracture law must provide: how close a zone is to failure, how damage grows, and the tension it can support.
 
     failure(tension, p, v, damage, par)   ratio that reaches 1 at failure; tension = s1 - p, the longitudinal tensile stress
                                           (Pa, positive in tension), p pressure (Pa), v = rho0/rho relative volume
     damage_rate(tension, par)             d(damage)/dt, 1/s (0 for laws without memory)
-    tension_cap(void_fraction, par)       largest tension a zone may carry, Pa, given the volume fraction of voids grown in it
-                                          (core.ops.NO_LIMIT: none; only laws flagged "voids" are asked by the solver)
-    at_node(tension, p, v, slope, par)    of laws flagged "nodes", which are asked at nodes instead: the ratio from the means of the two
-                                          zones beside a node and the largest slope of the tension around it, Pa/m
+    tension_cap(void_fraction, par)       largest tension a zone can support, Pa, for a volume fraction of voids grown in it
+                                          (core.ops.NO_LIMIT: no limit; the solver evaluates it only for laws flagged "voids")
+    at_node(tension, p, v, slope, par)    for laws flagged "nodes", which are evaluated at nodes instead: the ratio from the means of the
+                                          two zones beside a node and the largest slope of the tension around it, Pa/m
 """
 
 from hugoniot.core.registry import Registry
@@ -15,7 +15,7 @@ FRACTURE = Registry("fracture", contract=("failure", "damage_rate", "tension_cap
 
 
 def asked_at_nodes(par) -> bool:
-    """Whether a law (None: none) is asked at the nodes of a line, of pairs of zones, not of single zones."""
+    """Whether a law (None: none) is evaluated at nodes, from pairs of zones, and not in single zones."""
     return par is not None and "nodes" in FRACTURE.of(par).flags
 
 

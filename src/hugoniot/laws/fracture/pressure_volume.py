@@ -2,7 +2,7 @@ r"""Fracture when the pressure is low enough and the volume large enough.
 
 $$P < P_S \;\text{ and }\; V > V_S \quad\Longleftrightarrow\quad \min\left(\frac{P}{P_S}, \frac{V}{V_S}\right) > 1, \qquad P_S < 0$$
 
-V is the relative volume rho0/rho. The second condition keeps hot, dense material from fracturing in a passing rarefaction.
+V is the relative volume rho0/rho. The second condition prevents hot, dense material from fracturing in a passing rarefaction.
 
 Source: Wilkins B.4 (a), opening of a void.
 """

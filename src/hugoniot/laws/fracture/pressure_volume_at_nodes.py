@@ -1,9 +1,9 @@
-r"""Fracture at a node where the means of the two zones beside it meet both criteria, as Wilkins writes it.
+r"""Fracture at a node where the mean values of the two zones beside it satisfy both criteria, as Wilkins writes it.
 
 $$\tfrac12(P_{j+1/2} + P_{j-1/2}) < P_S \;\text{ and }\; \tfrac12(V_{j+1/2} + V_{j-1/2}) > V_S, \qquad P_S < 0$$
 
 V is the relative volume rho0/rho. `pressure_volume` applies the same criteria to single zones and opens the void beside the worst one. The
-node must lie inside a region: two materials have two criteria.
+node must lie inside a region, because two materials have different criteria.
 
 Source: Wilkins B.4 (a), opening of a void.
 """

@@ -3,13 +3,13 @@ r"""Spall at a critical normal stress, with the growth of voids around the spall
 $$\text{failure} = \frac{\sigma_t}{\sigma_{spall}}, \qquad \sigma_t = s_1 - p, \qquad
   \sigma_t \le \sigma_{spall}\left(1 - \phi/\phi_c\right)$$
 
-sigma_t is the longitudinal tensile stress (viscous pressure excluded). Where it first reaches the strength the material separates: one
-plane, one void. Until the release from that void arrives, the surrounding zones would reach tensions the material cannot carry;
-there voids grow instead (volume fraction phi), at the strength, which falls to zero when they coalesce at phi_c. They close
-again at zero longitudinal stress. A zone that contains voids opens no second plane.
+sigma_t is the longitudinal tensile stress (without viscous pressure). Where it first reaches the strength the material separates in one
+plane. Until the release from this void arrives, the surrounding zones would reach tensions the material cannot support.
+Instead voids (volume fraction phi) grow there at a tension equal to the strength, which falls to zero when they coalesce at phi_c. The
+voids close again at zero longitudinal stress. A zone that contains voids opens no second plane.
 
 Source: Herrmann WL-TR-64-107, section VI (spall at a critical tensile stress); Wilkins B.4 (a) names such criteria. The growth of
-voids at the strength, and its linear fall with their fraction, close the model here; neither source prints a rule for it.
+voids, and the linear fall of the strength with their volume fraction, are closures of this package; neither source gives a rule.
 """
 
 from typing import NamedTuple

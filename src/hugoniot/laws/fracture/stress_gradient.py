@@ -1,21 +1,21 @@
-r"""Spall at a tension that grows as the square root of its gradient: a short pulse needs more tension than a long one.
+r"""Spall at a tension proportional to the square root of its gradient: a short pulse needs a higher tension than a long one.
 
 $$\sigma_t \ge \max\left(\sigma_{least},\; A\sqrt{|d\sigma_t/dx|}\right), \qquad A = \sigma_r/\sqrt{G_r}$$
 
-A is given as the strength sigma_r at a reference gradient G_r, so that every parameter has a unit of its own. sigma_least is the
-strength where the tension is uniform, for which the law alone would let any tension break the material. Noise behind a wave has
-hardly any gradient, so sigma_least should lie not far below the tension at which the material is expected to break. The criterion is
+A is given as the strength sigma_r at a reference gradient G_r, so that every parameter has a simple unit. sigma_least is the
+strength where the tension is uniform; without it any uniform tension would break the material. Noise behind a wave has
+hardly any gradient, so sigma_least should not be far below the tension at which the material is expected to break. The criterion is
 evaluated at nodes inside a region, with the mean tension of the zones beside the node and the larger of the slopes over four zones
-before and behind it. At the front of a wave, whose slope is set by the mesh, and at the peak beside it, nothing breaks that would not
-break in the flow behind.
+on either side of it. At the front of a wave, whose slope is set by the mesh, and at the peak beside it, the material therefore breaks only
+where it would also break in the flow behind.
 
-A triangular pulse of peak P and length L that meets a free surface leaves a tension that grows from the surface as 2 P x / L. It spalls at
-the depth $A\sqrt{L/(2P)}$, under the tension $A\sqrt{2P/L}$, and again at the same distance as long as the pulse lasts.
+A triangular pulse of peak P and length L that reaches a free surface leaves a tension that grows from the surface as 2 P x / L. It spalls
+at the depth $A\sqrt{L/(2P)}$, at the tension $A\sqrt{2P/L}$, and again at the same distance as long as the pulse lasts.
 
-No constants are given: open sources state the form, and that it is equivalent to a criterion of impulse (Tuler & Butcher 1968), but no
-values for metals.
+The law has no default constants: the open literature gives its form, and its equivalence to an impulse criterion (Tuler & Butcher 1968),
+but no values for metals.
 
-Source: Breed, Mader & Venable, J. Appl. Phys. 38 (1967) 3271; named, not written, in Wilkins B.4 (a).
+Source: Breed, Mader & Venable, J. Appl. Phys. 38 (1967) 3271; mentioned without an equation in Wilkins B.4 (a).
 """
 
 from typing import NamedTuple

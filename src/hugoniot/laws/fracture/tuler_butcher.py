@@ -1,9 +1,9 @@
-r"""Tuler-Butcher cumulative damage: a high tension breaks the material at once, a lower one after a delay.
+r"""Tuler-Butcher cumulative damage: a high tension breaks the material immediately, a lower one after a delay.
 
 $$\int \left(\sigma_t - \sigma_0\right)^{\lambda}\,dt = K \quad\text{over the time spent at } \sigma_t > \sigma_0$$
 
-Written with K = sigma_r^lambda tau, so that every parameter has a unit of its own whatever the exponent: an overstress of
-`reference_stress` sigma_r held for `critical_time` tau breaks the material. The damage is the integral over K and reaches 1
+K is written as sigma_r^lambda tau, so that the units of the parameters do not depend on the exponent: an overstress of
+`reference_stress` sigma_r for the `critical_time` tau breaks the material. The damage is the integral divided by K and reaches 1
 at failure:
 
 $$\dot D = \frac{1}{\tau}\left(\frac{\sigma_t - \sigma_0}{\sigma_r}\right)^{\lambda}$$

@@ -1,9 +1,9 @@
-"""What a mixture of reactants and products owes: the state of both phases, the pressure, and their slopes.
+"""What a mixture of reactants and products must provide: the state of both phases, the pressure, and their slopes.
 
 A mixture is described by (rho, e, burn_fraction): density kg/m3, specific internal energy J/kg and mass fraction of products.
 `par` holds `reactants` and `products` (parameter tuples of any two registered equations of state) and `detonation_energy`
 Q >= 0 (J/kg; Starkenberg ARL-TR-2161 section 3 counts it negative): the reactant's energy on the mixture's scale is
-e_r = e_thermal + Q, and its equation of state is asked with e_r - Q. No heat is ever added during burning, so the conservation
+e_r = e_thermal + Q, and its equation of state is evaluated at e_r - Q. No heat is added during burning, so the conservation
 laws keep their form.
 
     solve(rho, e, burn_fraction, before, par)            Mixed: the phases and their common pressure

@@ -3,13 +3,13 @@ r"""Mechanical and thermal equilibrium: equal pressures and equal temperatures.
 $$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,$$
 $$p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad T_r(v_r, e_r - Q) = T_p(v_p, e_p)$$
 
-With $w = v_r - v_p$ and $z = e_r - e_p$ the saturation conditions hold identically, and Newton's method is tried in both at once. Where
-it does not settle, the search is nested: at given w the temperature difference rises with z
-(specific heats are positive), so z(w) is found in an inner bracket; along z(w) the pressure difference falls with w (isothermal
-compressibilities are positive), so w is found in an outer one. Nothing is singular at the ends of burning.
+With $w = v_r - v_p$ and $z = e_r - e_p$ the sums of volume and energy hold identically, and Newton's method is applied to both unknowns.
+If it does not converge, the search is nested: at fixed w the temperature difference increases with z
+(specific heats are positive), so z(w) is found in an inner bracket; along z(w) the pressure difference decreases with w (isothermal
+compressibilities are positive), so w is found in an outer bracket. The equations are regular at lambda = 0 and 1.
 
 The slopes of the temperature follow from the pressure: $(\partial T/\partial v)_e = p/c_v - T p_e$ and $(\partial T/\partial e)_v =
-1/c_v$; so both laws must give a temperature and a specific heat that belong to their pressure.
+1/c_v$. Both laws must therefore give a temperature and a specific heat that are consistent with their pressure.
 
 Source: Starkenberg ARL-TR-2161 section 4.2 and appendix B-1, B-2 (general determinant).
 """
@@ -298,7 +298,7 @@ MIXTURE.add(
     units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",
            "product_density_limit": "kg/m^3"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
-             "detonation_energy": "chemical energy released by burning, Q >= 0 (Starkenberg counts it negative)",
+             "detonation_energy": "chemical energy released by burning, Q >= 0 (negative in Starkenberg)",
              "reactant_density_limit": "highest density of the reactants' law",
              "product_density_limit": "highest density of the products' law"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},

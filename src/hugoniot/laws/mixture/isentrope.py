@@ -1,14 +1,14 @@
-r"""Follows the isentrope of any equation of state from one density to another.
+r"""Computes the isentrope of any equation of state from one density to another.
 
 $$\frac{de}{dv} = -p(1/v,\, e)$$
 
-Laws that know one isentrope and the growth of energies beside it (`reference_isentrope`) answer in closed form. For the other laws that are
+Laws with a known isentrope and a known growth of energy differences from it (`reference_isentrope`) have a closed form. For other laws
 linear in the energy, $p = p(v, e_0) + b(v)(e - e_0)$, the energy gained is an integral of known functions,
 
 $$e - e_0 = -\frac{1}{\varphi(v)}\int_{v_0}^{v}\varphi\,p(v', e_0)\,dv', \qquad \ln\varphi = \int_{v_0}^{v'} b\,dv'',$$
 
-taken by Gauss-Legendre rules, apart above and below the density at rest, where such laws change branch, and in pieces so short that the
-integrand's last Legendre coefficient is negligible. The rest is marched.
+evaluated by Gauss-Legendre rules, separately above and below the density at rest, where such laws change branch, and in pieces so short
+that the integrand's last Legendre coefficient is negligible. All other laws are integrated step by step.
 
 Source: Starkenberg A-2. The march uses Butcher's seven-stage sixth-order Runge-Kutta method (J. C. Butcher, J. Austral. Math.
 Soc. 4 (1964) 179) over sub-steps that change the volume by at most 1.25 %; short ways take cheaper formulas of the same accuracy.

@@ -3,15 +3,16 @@ r"""Mechanical equilibrium with thermal isolation: equal pressures, the reactant
 $$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,$$
 $$p = p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad e_r - Q = e_{Sr}(v_r;\, v_k, e_k)$$
 
-With $w = v_r - v_p$ and $z = e_r - e_p$ the saturation conditions hold identically ($v_r = v + \lambda w$, $v_p = v - (1-\lambda)w$), the
-isentrope gives $\lambda z = e_{Sr} + Q - e$, and one equation is left, $F(w) = p_r - p_p = 0$, whose slope is $-I^2$ with
-$I^2 = \lambda i_r^2 + (1-\lambda) i_p^2 > 0$: F falls monotonically, so the root is unique, and nothing is singular as burning begins
-or ends. The products' energy is the difference (e - (1 - lambda) e_r)/lambda: below `nascent_limit` any error of the mixture's energy
-would be magnified far too much, so the reactant's isentrope is then taken through the mixture state itself (the limit of Starkenberg
-section 5.9). For energies exact to round-off 1e-6 is right; a solver, whose step leaves an error of 1e-4 in a shock, needs about 1e-3.
+With $w = v_r - v_p$ and $z = e_r - e_p$ the sums of volume and energy hold identically ($v_r = v + \lambda w$, $v_p = v - (1-\lambda)w$),
+the isentrope gives $\lambda z = e_{Sr} + Q - e$, and one equation remains, $F(w) = p_r - p_p = 0$, whose slope is $-I^2$ with $I^2 =
+\lambda i_r^2 + (1-\lambda) i_p^2 > 0$. F decreases monotonically, so the root is unique, and the equation is regular as burning begins and
+ends. The products' energy is the difference (e - (1 - lambda) e_r)/lambda. Below `nascent_limit` this would magnify any error of the
+mixture's energy far too much, so the reactant's isentrope is then taken through the mixture state itself (the limit of Starkenberg section
+5.9). For energies exact to round-off a limit of 1e-6 is suitable; a solver, whose step leaves an error of 1e-4 in a shock, needs about
+1e-3.
 
-Newton's method runs inside a bracket that only shrinks; what leaves it is bisected. In a step of a run two trials nearly always suffice:
-`attempt` makes just these, for many zones at a time, and leaves the rest to the search.
+Newton's method runs inside a bracket that only shrinks; a step that leaves it is replaced by bisection. In a step of a run two trials
+nearly always suffice: `attempt` makes only these, for many zones at a time, and leaves the rest to the search.
 
 Source: Starkenberg ARL-TR-2161 sections 5.1 to 5.9 and appendix B-2 with corrections S-E2, S-E3, S-E13.
 """
@@ -250,7 +251,7 @@ MIXTURE.add(
     units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",
            "product_density_limit": "kg/m^3", "nascent_limit": "1"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
-             "detonation_energy": "chemical energy released by burning, Q >= 0 (Starkenberg counts it negative)",
+             "detonation_energy": "chemical energy released by burning, Q >= 0 (negative in Starkenberg)",
              "reactant_density_limit": "highest density of the reactants' law",
              "product_density_limit": "highest density of the products' law",
              "nascent_limit": "burn fraction below which the reactant's isentrope runs through the mixture state"},

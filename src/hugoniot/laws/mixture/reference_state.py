@@ -1,18 +1,18 @@
-r"""When a smeared shock has passed a zone, and so which isentrope the reactants keep in thermal isolation.
+r"""Detects when a smeared shock has passed a zone, which determines the isentrope of the reactants in thermal isolation.
 
 Starkenberg takes the reference state of a zone behind the last shock. A tracked front gives it directly; artificial viscosity smears
-the front over zones, so a detector has to find when it has passed. A shock is passing a zone while
+the front over several zones, so a detector must find when it has passed. A shock is passing a zone while
 
 $$q > 0.01\,(|p| + 10^{-4}\rho c^2),$$
 
-where the second term keeps the noise of material at rest from counting. When the shock has passed, the detector says how it found
-the state: behind the shock, before burning, or while the zone was burning (more than a thousandth), where the state behind the
-shock is one of partly burned explosive. A later shock starts this again.
+where the second term excludes noise in material at rest. When the shock has passed, the detector records how the state was
+found: behind the shock, before burning, or while the zone was burning (more than a thousandth), so that the state behind the
+shock is one of partly burned explosive. A later shock restarts the detection.
 
-A reference that is *frozen* takes its share of the viscous heat only while a shock is passing: the isentrope through the reactants of
-the step before is then the one through the state taken. One that *rolls* takes its share of all heat.
+With a *frozen* reference the reactants receive their share of the viscous heat only while a shock is passing; the isentrope through their
+state in the previous step is then the one through the state found. With a *rolling* reference they receive their share of all heat.
 
-Source: Starkenberg ARL-TR-2161 section 4.3 for the reference state; the detector is this program's.
+Source: Starkenberg ARL-TR-2161 section 4.3 for the reference state; the detector is specific to this package.
 """
 
 PASSED = 0.01      # of the pressure, up to which a zone's viscous pressure is that of no shock

@@ -1,6 +1,6 @@
 """What both searches for equal pressures share: Newton's method in w = v_r - v_p, in which the difference F of the pressures falls.
 
-Source: Starkenberg ARL-TR-2161 sections 4.2 and 5.1 for the unknown w; the end of the search is this program's.
+Source: Starkenberg ARL-TR-2161 sections 4.2 and 5.1 for the unknown w; the end of the search is specific to this package.
 """
 
 from hugoniot.core.ops import fmax, fmin

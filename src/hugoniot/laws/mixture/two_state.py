@@ -2,9 +2,9 @@ r"""Two states at the density and the temperature of the mixture: the closure of
 
 $$p = (1-\lambda)\,p_r(\rho, T) + \lambda\,p_p(\rho, T), \qquad e = (1-\lambda)\,e_r(\rho, T) + \lambda\,e_p(\rho, T)$$
 
-Products with the density of the solid and the solid's temperature: the sum of pressures belongs to neither phase and has no physical
-meaning (Starkenberg, section 4.4, gives this as the reason). It is included for comparison with results of that time. With $z = e_r - e_p$,
-so that $e_r = e + \lambda z$, $e_p = e - (1-\lambda)z$, one equation is left, $T_r(v, e_r - Q) = T_p(v, e_p)$; its slopes follow from
+The products have the density and the temperature of the solid. The weighted pressure belongs to neither phase and has no physical
+meaning (the reason given in Starkenberg, section 4.4). It is included for comparison with results of that time. With $z = e_r - e_p$,
+so that $e_r = e + \lambda z$, $e_p = e - (1-\lambda)z$, one equation remains, $T_r(v, e_r - Q) = T_p(v, e_p)$; its slopes follow from
 $(\partial T/\partial e)_v = 1/c_v$ and $(\partial T/\partial v)_e = p/c_v - T\,(\partial p/\partial e)_v$, which holds for each phase.
 
 Source: Starkenberg section 4.4; Kerley 1992 as cited there.
@@ -114,7 +114,7 @@ MIXTURE.add(
                      JWL(1481.05e9, 63.79e9, 6.2, 2.2, 0.5, 1905.0, 6.9e9, 524.9), 3.9e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
-             "detonation_energy": "chemical energy released by burning, Q >= 0 (Starkenberg counts it negative)"},
+             "detonation_energy": "chemical energy released by burning, Q >= 0 (negative in Starkenberg)"},
     box={"rho": (1900.0, 2600.0), "e": (4e6, 8e6), "burn_fraction": (0.0, 1.0)},
     references=("Starkenberg, ARL-TR-2161, section 4.4", "Kerley 1992, as cited there"),
     flags=("no_equilibrium", "needs_temperature"),

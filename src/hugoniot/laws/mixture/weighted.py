@@ -1,10 +1,10 @@
-r"""Pressures weighted by the burn fraction, both phases at the mixture's density and energy: the simple mixing of many codes.
+r"""Pressures weighted by the burn fraction, both phases at the mixture's density and energy: the simple mixture rule of many codes.
 
 $$p = (1-\lambda)\,p_r(\rho, e - Q) + \lambda\,p_p(\rho, e)$$
 
-With equal phase densities the volume fraction equals the mass fraction, so this is volume-fraction mixing as well. Neither phase is in
-equilibrium with the other and the sum has no thermodynamic meaning; it is kept for comparison, and because with lambda of 0 or 1 only it
-is the threshold burn of the KB codes. `BurnedProducts` is the case without reactant pressure, p = lambda p_p (programmed burn).
+With equal phase densities the volume fraction equals the mass fraction, so this is also volume-fraction mixing. The phases are not in
+equilibrium and the sum has no thermodynamic meaning. It is included for comparison, and because for lambda = 0 or 1 it
+is the threshold burn of the KB codes. `burned_products` is the case without reactant pressure, p = lambda p_p (programmed burn).
 
 Source: Herrmann WL-TR-64-107 A.29; KB codes section 4; compare Starkenberg section 4.4.
 """
@@ -79,14 +79,14 @@ MIXTURE.add(
     example=WeightedPressures(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
-             "detonation_energy": "chemical energy released by burning, Q >= 0 (Starkenberg counts it negative)"},
+             "detonation_energy": "chemical energy released by burning, Q >= 0 (negative in Starkenberg)"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
     references=("Herrmann, WL-TR-64-107, A.29", "KB codes, section 4"),
     flags=("no_equilibrium",),
 )
 
 MIXTURE.add(
-    "burned_products", BurnedProducts,
+    "burned_products", BurnedProducts, line="Burned products alone, p = lambda p_p: no pressure before the detonation arrives.",
     functions={"solve": products_solve, "attempt": products_solve, "equilibrate": products_solve, "slopes": products_slopes,
                "phase_slopes": phase_slopes, "temperature": products_temperature},
     example=BurnedProducts(IdealGas(2.8, 1200.0, 1600.0)),

@@ -1,9 +1,9 @@
-r"""Elastic-perfectly plastic with a constant Poisson ratio: the shear modulus follows the bulk modulus.
+r"""Elastic-perfectly plastic with a constant Poisson ratio: the shear modulus is proportional to the bulk modulus.
 
 $$G = \frac{3\,(1 - 2\nu)}{2\,(1 + \nu)}\,K, \qquad Y = Y_0$$
 
-K is the isentropic bulk modulus of the equation of state, so that the ratio of longitudinal to bulk sound speed stays
-fixed: $c_L^2 / c_b^2 = 3(1-\nu)/(1+\nu)$. With nu = 1/3 this is c^2 = 1.5 K/rho.
+K is the isentropic bulk modulus of the equation of state, so the ratio of longitudinal to bulk sound speed is
+fixed: $c_L^2 / c_b^2 = 3(1-\nu)/(1+\nu)$. With nu = 1/3, c_L^2 = 1.5 K/rho.
 
 Source: isotropic linear elasticity; Herrmann WL-TR-64-107, appendix C.1 (nu near 1/3).
 """

@@ -1,4 +1,4 @@
-"""What a strength law owes: a shear modulus and a flow stress; the radial return is the solver's, the same for all.
+"""What a strength law must provide: a shear modulus and a flow stress; the solver does the radial return, the same for all laws.
 
     shear_modulus(rho, p, temperature, bulk_modulus, par)                       G, Pa
     flow_stress(rho, p, temperature, plastic_strain, strain_rate, par)          Y, Pa (uniaxial stress at yield)

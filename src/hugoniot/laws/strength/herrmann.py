@@ -2,9 +2,9 @@ r"""Elastic-perfectly plastic with a shear modulus that is a power series in the
 
 $$G = g_0\,\left(1 + g_1 x + g_2 x^2 + g_3 x^3\right), \qquad x = 1 - \rho_0/\rho, \qquad Y = Y_0$$
 
-Source: Herrmann WL-TR-64-107, equations A.17 ff. and B.28; his compression eta, (rho - rho0)/rho by the definition under C.4 and by
-the factor (1 - eta) in the derivatives under A.14, is x here. The report's aluminium has g0 = 286 kb, g1 = 5.86, g2 = 8.44, g3 = 0,
-Y = 2.76 kb, rho0 = 2.78 g/cm3 (section VI; 2.73 kb in one place, H-E10).
+Source: Herrmann WL-TR-64-107, equations A.17 ff. and B.28. His compression eta is x here: it is (rho - rho0)/rho by the definition under
+C.4 and by the factor (1 - eta) in the derivatives under A.14. The report's aluminium has g0 = 286 kb, g1 = 5.86, g2 = 8.44, g3 = 0, Y =
+2.76 kb, rho0 = 2.78 g/cm3 (section VI; 2.73 kb in one place, H-E10).
 """
 
 from typing import NamedTuple

@@ -3,9 +3,9 @@ r"""Johnson-Cook: flow stress as a product of hardening, rate and thermal soften
 $$Y = \left(A + B\,\varepsilon_p^{\,n}\right)\left(1 + C \ln\dot\varepsilon^*\right)\left(1 - T^{*m}\right), \qquad
   \dot\varepsilon^* = \dot\varepsilon/\dot\varepsilon_0, \qquad T^* = \frac{T - T_{room}}{T_{melt} - T_{room}}$$
 
-The rate factor is 1 below the reference rate (the logarithm would soften the material without bound as the rate goes to
-zero, where the law was never fitted); the thermal factor is 1 below T_room and the flow stress 0 from T_melt on.
-The shear modulus is constant; it does not vanish in the melt, because the law says nothing about it.
+The rate factor is 1 below the reference rate (where the law was never fitted, and the logarithm would soften the material without
+bound as the rate goes to zero). The thermal factor is 1 below T_room, and the flow stress is 0 above T_melt.
+The shear modulus is constant; it does not vanish in the melt, because the law does not describe it.
 
 Source: Johnson & Cook, Proc. 7th Int. Symp. on Ballistics (1983) 541, equation 1; example: OFHC copper, table 1 there.
 """

@@ -5,12 +5,11 @@ $$G = G_0\,\varphi, \qquad Y = \min\left\{Y_0\,[1 + \beta(\varepsilon_p + \varep
 $$T_m = T_{m0}\,\exp\left[2a\left(1 - 1/\eta\right)\right]\eta^{2(\gamma_0 - a - 1/3)}, \qquad \eta = \rho/\rho_0$$
 
 A = G'_p/G0 and B = -G'_T/G0; the pressure derivative of Y is taken as Y'_p/Y0 = A, as in the published parameter table.
-Above the melting temperature Y = 0 and G = G0 `melt_shear_fraction`. The factor phi is bounded below by
-`melt_shear_fraction` for G and by 0 for Y, since far in tension or in heat the series would turn negative: that floor is a
-statement of the law (a material without stiffness), not a repair.
+Above the melting temperature Y = 0 and G = G0 `melt_shear_fraction`. The factor phi is not allowed below
+`melt_shear_fraction` for G and 0 for Y, since at large tensions or temperatures the series would become negative.
 
 Source: Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498; constants of the example: 6061-T6 aluminium of
-Steinberg, UCRL-MA-106439 (1996), recalled.
+Steinberg, UCRL-MA-106439 (1996), quoted from memory.
 """
 
 from typing import NamedTuple
@@ -73,7 +72,7 @@ STRENGTH.add(
              "temperature_coefficient": "B, relative fall of the shear modulus with temperature",
              "melt_temperature": "melting temperature at rho0", "melt_gruneisen": "Grüneisen parameter of the melting law",
              "melt_a": "volume correction a of the melting law", "initial_strain": "equivalent plastic strain of the material as received",
-             "melt_shear_fraction": "part of the shear modulus that is left in the melt"},
+             "melt_shear_fraction": "fraction of the shear modulus that remains in the melt"},
     defaults={"initial_strain": 0.0, "melt_shear_fraction": 0.0},
     box={"rho": (2600.0, 4500.0), "p": (-2e9, 1e11), "temperature": (200.0, 5000.0), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},

@@ -2,8 +2,8 @@ r"""Heat conduction: none, by Prandtl number, constant, or a power of temperatur
 
 $$k = 0, \qquad k = \mu c_p/\mathrm{Pr}, \qquad k = k_0, \qquad k = k_0\,(T/T_0)^{\omega}$$
 
-The isobaric specific heat is that of the equation of state itself, $c_p = c_v c^2/(c^2 - \Gamma^2 c_v T)$, so that a Prandtl number
-means the same for a gas and for a liquid. Source: Jordan section 6.3 (Pr = 2/3 for argon) and tables 7.1.1, 7.2.1.
+The isobaric specific heat is that of the equation of state itself, $c_p = c_v c^2/(c^2 - \Gamma^2 c_v T)$, so that the Prandtl number
+has the same meaning for a gas and for a liquid. Source: Jordan section 6.3 (Pr = 2/3 for argon) and tables 7.1.1, 7.2.1.
 """
 
 from typing import NamedTuple

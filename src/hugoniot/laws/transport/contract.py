@@ -1,4 +1,4 @@
-r"""What transport laws owe, and how a fluid's viscosity and heat conduction are put together.
+r"""What transport laws must provide, and how a fluid's viscosity and heat conduction are combined.
 
     viscosity(rho, T, par)                shear viscosity mu, Pa s                        (family `transport`)
     conductivity(rho, T, mu, cp, par)     heat conductivity k, W/(m K)                    (family `conduction`)

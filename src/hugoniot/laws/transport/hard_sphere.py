@@ -2,7 +2,7 @@ r"""Maxwell's elementary kinetic theory of hard spheres: one literal reading of 
 
 $$\mu = \frac{2}{3\,d^2}\sqrt{\frac{m k_B T}{\pi^3}} = \frac{2}{3\pi d^2}\sqrt{\frac{m k_B T}{\pi}} \;\propto\; \sqrt{T}$$
 
-Source: Jordan section 6.2 prints the formula damaged; this is the form of Bird, Stewart and Lightfoot, Transport Phenomena,
+Source: Jordan section 6.2, where the formula is damaged; this is the form of Bird, Stewart and Lightfoot, Transport Phenomena,
 eq. 1.4-9. Jordan's "Maxwell" numbers do not follow from it: they are those of the power law $T^{0.81}$ (J-E4).
 """
 

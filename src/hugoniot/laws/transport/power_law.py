@@ -2,8 +2,8 @@ r"""Shear viscosity as a power of temperature.
 
 $$\mu = \mu_0\,(T/T_0)^{\omega}$$
 
-Argon: $\omega = 0.81$ (Jordan section 6.2; also the value of Bird's VHS model). This law makes both the "power law" and the "Maxwell"
-rows of Jordan's table 6.2.1.1: the same profile in two mean-free-path units (J-E4; see mean_free_path).
+For argon $\omega = 0.81$ (Jordan section 6.2; also the value of Bird's VHS model). Both the "power law" and the "Maxwell"
+rows of Jordan's table 6.2.1.1 follow from this law: they are the same profile in units of two mean free paths (J-E4; see mean_free_path).
 """
 
 from typing import NamedTuple

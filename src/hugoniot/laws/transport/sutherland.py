@@ -1,4 +1,4 @@
-r"""Sutherland's viscosity of gases: hard spheres that attract weakly.
+r"""Sutherland's viscosity of gases: hard spheres with a weak attraction.
 
 $$\mu = \mu_0\left(\frac{T}{T_0}\right)^{3/2}\frac{T_0 + S}{T + S}$$
 

@@ -1,4 +1,4 @@
-"""What an artificial viscosity owes: the viscous signal speed of a zone in compression.
+"""What an artificial viscosity must provide: the viscous signal speed of a zone in compression.
 
     viscous_speed(v, c, p, du, psi, par)    w >= 0, m/s: the viscous pressure is q = rho |du| w
 

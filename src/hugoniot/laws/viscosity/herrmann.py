@@ -3,7 +3,7 @@ r"""Herrmann's artificial viscosity: quadratic and linear in the rate of compres
 $$q = \rho\left\{B_2\,\Delta x\,c\,\frac{\dot\rho}{\rho} + \left[B_1\,\Delta x\,\frac{\dot\rho}{\rho}\right]^2\right\}, \qquad
   \dot\rho > 0$$
 
-The velocity difference of the zone stands for $-\Delta x\,\dot\rho/\rho$, to which it is equal in planar flow. The report prints
+The velocity difference across the zone is used for $-\Delta x\,\dot\rho/\rho$, to which it is equal in planar flow. The report gives
 no values of B1 and B2; the defaults are those of the `landshoff` law, to which the planar form is identical.
 
 Source: Herrmann WL-TR-64-107, equation 4.3 and section A.2 (B1 enters squared; B.53's B3 is B1, H-E7).

@@ -2,8 +2,8 @@ r"""The quadratic viscosity of the KB codes.
 
 $$w = C\,\rho\,(\Delta V)^2 \quad\text{in compression}$$
 
-The printed form C rho |dV| (-dV) is negative in expansion, where it would take work out of the flow; like every law here it
-acts in compression only (K-E6). C is not squared. There is no linear term, so ripples behind a shock decay slowly.
+The printed form C rho |dV| (-dV) is negative in expansion, where it would also resist the flow. Here it acts only in compression, like
+all laws but `kb_two_sided` (K-E6). C is not squared. There is no linear term, so ripples behind a shock decay slowly.
 
 Source: KB codes, equation 1.8.
 """

@@ -2,8 +2,8 @@ r"""The quadratic viscosity of the KB codes as printed: it also resists expansio
 
 $$w = -C\,\rho\,|\Delta V|\,\Delta V$$
 
-In expansion w < 0, a tension that turns motion into heat where the flow is smooth (K-E6): releases come out too warm and too slow. The KB
-codes use it, and their threshold burn runs at another speed without it. Use `kb` for anything else.
+In expansion w < 0, a tension that converts motion into heat where the flow is smooth (K-E6), so that releases are too warm and too slow.
+The KB codes use this form, and the speed of their threshold burn depends on it. Use `kb` for anything else.
 
 Source: KB codes, equation 1.8, without a compression switch.
 """

@@ -1,8 +1,8 @@
-r"""Von Neumann-Richtmyer and Landshoff with the true sound speed.
+r"""Viscosity of von Neumann-Richtmyer and Landshoff with the true sound speed.
 
 $$q = C_0^2\,\rho\,(\Delta u)^2 + C_L\,\rho\,c\,|\Delta u|$$
 
-With the true sound speed a CL of 1 is far too viscous (W-E4): the defaults are C0 = 1.4, CL = 0.3.
+With the true sound speed CL = 1 would be far too viscous (W-E4); the defaults are C0 = 1.4 and CL = 0.3.
 
 Source: von Neumann & Richtmyer, J. Appl. Phys. 21 (1950) 232; Landshoff, LA-1930 (1955); Wilkins, appendix B.2 item 7.
 """

@@ -1,18 +1,18 @@
-r"""Kuropatenko's viscosity with a monotonic limiter: a shock's own pressure jump where there is one, nothing in smooth flow.
+r"""Kuropatenko's viscosity with a monotonic limiter: the pressure jump of a shock, and zero in smooth flow.
 
 $$q = (1 - \psi)\,\rho\,|\Delta u|\left(c_2 |\Delta u| + \sqrt{c_2^2\,\Delta u^2 + c_1^2\,c^2}\right)$$
 
-With $c_2 = (\gamma + 1)/4$ and $c_1 = 1$ the bracket is the mass flux speed of an ideal-gas shock with velocity jump du: q is
-then the exact jump of pressure. For a solid with $U_s = c_0 + s u_p$ the same holds with $c_2 \approx s/2$. The default,
-2/3, is that of a monatomic gas and of most metals (s = 1.3); diatomic gases have 0.6. A larger value widens strong shocks
-and gains nothing. $c_1 = 0.3$ instead of 1 keeps the weak shocks of gases thin, and elastic precursors (W-E4). In condensed
-material nothing but q damps the ringing of strong shocks, which a free surface would show as an overshoot: with strength the weight grows
-from $c_1$ = `linear` in the jumps of a precursor to $c_c$ = `linear_condensed` in those of a plastic shock,
+With $c_2 = (\gamma + 1)/4$ and $c_1 = 1$ the bracket is the speed of an ideal-gas shock with velocity jump du relative to the gas ahead,
+and q is the exact pressure jump. For a solid with $U_s = c_0 + s u_p$ the same holds with $c_2 \approx s/2$. The default, 2/3, is the value
+for a monatomic gas and for most metals (s = 1.3); diatomic gases have 0.6. A larger value widens strong shocks without any gain. $c_1 =
+0.3$ instead of 1 keeps weak shocks in gases and elastic precursors thin (W-E4). In condensed material only q damps the ringing behind
+strong shocks, which would appear as an overshoot of a free surface. With strength, the square of the linear coefficient therefore grows
+from $c_1$ = `linear` in the jumps of a precursor to $c_c$ = `linear_condensed` in a plastic shock,
 
 $$c_1^2 + (c_c^2 - c_1^2)\,\frac{\Delta u^4}{\Delta u^4 + (0.014\,c)^4} \quad\text{in place of}\quad c_1^2,$$
 
-and without strength it is $c_c$ throughout. A deck that gives `linear` alone gives both.
-psi is the smoothness of the velocity field supplied by the solver: 1 where velocity is linear, 0 at a shock or an extremum.
+and without strength the coefficient is $c_c$ throughout. If a deck gives only `linear`, its value applies to both.
+psi is the smoothness of the velocity field from the solver: 1 where the velocity is linear, 0 at a shock or an extremum.
 
 Source: Kuropatenko (1967); Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70, equations 10 to 14.
 """
@@ -47,8 +47,8 @@ VISCOSITY.add(
     example=Limited(),
     units={"quadratic": "1", "linear": "1", "linear_condensed": "1"},
     meaning={"quadratic": "c2, (gamma + 1)/4 for an ideal gas",
-             "linear": "c1, weight of the sound speed; 0 in explosives that burn by a schedule alone",
-             "linear_condensed": "c1 in nonporous solids and liquids (with strength: in strong jumps only); linear if only that is given"},
+             "linear": "c1, weight of the sound speed; 0 in explosives whose burn is programmed alone",
+             "linear_condensed": "c1 in nonporous solids and liquids (with strength: only in strong jumps); default: `linear` if given"},
     defaults={"quadratic": 2.0 / 3.0, "linear": 0.3, "linear_condensed": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     least={"quadratic": 0.0, "linear": 0.0, "linear_condensed": 0.0},

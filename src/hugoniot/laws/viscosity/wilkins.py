@@ -1,9 +1,9 @@
-r"""Von Neumann-Richtmyer and Landshoff as printed by Wilkins: the linear term carries sqrt(P/rho), not the sound speed.
+r"""Viscosity of von Neumann-Richtmyer and Landshoff as printed by Wilkins: sqrt(P/rho) in the linear term, not the sound speed.
 
 $$q = C_0^2\,\rho\,(\Delta u)^2 + C_L\,\rho\,a\,|\Delta u|, \qquad a = \sqrt{P/\rho} \text{ for } P > 0, \text{ else } 0$$
 
-sqrt(P/rho) vanishes at rest and is imaginary in tension, hence the clip (W-E4). B.1 item 8
-prints the velocity gradient without the bars; B.2 item 7, used here, is right (W-E3). C0 enters squared.
+sqrt(P/rho) vanishes at rest and is imaginary in tension, hence a = 0 there (W-E4). B.1 item 8
+prints the velocity gradient without absolute value; B.2 item 7, used here, is correct (W-E3). C0 enters squared.
 
 Source: Wilkins, appendix B.2 item 7, with C0 = 2, CL = 1.
 """

@@ -20,7 +20,7 @@
     if (range.refused) throw new H.Refused(`${c.name}: ${range.refused}`);
     const par = H.impact.law(range.law, c.name), [least, most] = T.density_range(par);
     const [low, high] = H.get("rho") ? pair(listed("rho"), "densities") : range.densities;
-    if (!(least <= low && high < most)) throw new H.Refused(`${c.name}: the law holds for densities from ${H.digits(Math.max(least, 1e-6))}${Number.isFinite(most) ? ` to ${H.digits(most)}` : ""} kg/m³`);
+    if (!(least <= low && high < most)) throw new H.Refused(`${c.name}: the law is defined for densities from ${H.digits(Math.max(least, 1e-6))}${Number.isFinite(most) ? ` to ${H.digits(most)}` : ""} kg/m³`);
     const density = spaced(low, high), temperature = isotherms ? lines(range) : spaced(...H.get("hot") ? pair(listed("hot"), "temperatures") : range.temperatures);
     const found = {name: c.name, density, temperature, pressure: [], specific_internal_energy: []};
     for (const rho of density) {

@@ -91,13 +91,13 @@ def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector
             continue
         path, before = ("rigid", i), collector.findings
         if row.name in names or row.name != row.name.strip() or not row.name.isprintable():
-            message = f"'{printable(row.name)}' is taken or cannot be a name"
+            message = f"'{printable(row.name)}' is taken or is not a valid name"
             collector.add((*path, "name"), message, "names of blocks and rigid bodies must differ")
         names.add(row.name)
         if len(set(row.points)) < len(row.points):
             collector.add((*path, "points"), "lists a point twice", "closed = true joins the last point to the first")
         elif row.closed and len(row.points) < 3:
-            collector.add((*path, "points"), "a closed body has three points or more")
+            collector.add((*path, "points"), "a closed body needs at least three points")
         if axes[0] == "r" and min(x for x, _ in row.points) < 0.0:
             collector.add((*path, "points"), "has a negative radius", "radii are not negative; the axis is r = 0")
         _check_motion(row, axes, collector, path)

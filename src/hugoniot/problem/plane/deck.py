@@ -161,8 +161,9 @@ def _check_axis_velocity(problem: Problem2D, collector: Collector) -> None:
         off = (block.x == 0.0) & (velocity[0] != 0.0)
         if off.any():
             i, j = (int(n[0]) for n in off.nonzero())
-            collector.add(("block", k, "velocity"), f"is {velocity[0, i, j]:g} m/s across the axis at z = {block.y[i, j]:g} m",
-                          "on the axis the radial velocity is 0: put the centre of radial parts there")
+            collector.add(("block", k, "velocity"), f"gives a radial velocity of {velocity[0, i, j]:g} m/s on the axis, at z = "
+                                                    f"{block.y[i, j]:g} m",
+                          "the radial velocity must be 0 there: put the centre of the radial part on the axis")
 
 
 # -- solver ------------------------------------------------------------------------------------------------------------

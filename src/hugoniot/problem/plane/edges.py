@@ -119,7 +119,8 @@ def read_gauges(rows: Sequence, mesh: Blocks | None, collector: Collector) -> tu
         if row.name in names:
             collector.add((*path, "name"), f"another gauge has the name '{printable(row.name)}'", "names must differ")
         elif row.name != row.name.strip() or not row.name.isprintable():
-            collector.add((*path, "name"), f"'{printable(row.name)}' cannot be a name", "use printable characters, no blanks at the ends")
+            collector.add((*path, "name"), f"'{printable(row.name)}' is not a valid name", "use printable characters, no spaces at the "
+                                                                                           "ends")
         names.add(row.name)
         gauge = _gauge(row, collector, path)
         if gauge is not None and mesh is not None and (wrong := _wrong_place(gauge, mesh)):

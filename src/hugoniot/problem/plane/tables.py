@@ -229,7 +229,7 @@ class ViscosityTable(Table):
     """Artificial viscosity."""
 
     kind: Literal["tensor", "edge", "herrmann"] = Field("tensor", description="tensor: along both principal directions of the strain rate, "
-                                                        "each with its own length; edge: along the edges that close; herrmann: bulk and "
+                                                        "each with its own length; edge: along the edges that shorten; herrmann: bulk and "
                                                         "deviators along the axes of the frame, for comparison")
     limited: bool = Field(Viscosity2D.limited, description="use a limiter (no viscosity in smooth flow); herrmann: write false")
     linear: Plain = Field(Viscosity2D.linear, description="linear coefficient of materials without strength")
@@ -239,7 +239,7 @@ class ViscosityTable(Table):
                                                                     "herrmann: everywhere")
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")
     explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of explosives; 0 in those "
-                                                                              "that burn by a schedule alone")
+                                                                              "whose burn is programmed alone")
     explosive_quadratic: Plain = Field(Viscosity2D.explosive_quadratic, description="quadratic coefficient of materials that burn")
     heat_flux: Plain = Field(Viscosity2D.heat_flux, description="coefficient of the artificial heat flux in shocks of quadrilaterals, "
                                                                 "in materials without strength that do not burn; 0: none")
@@ -266,7 +266,7 @@ class SolverTable(Table):
     """How it is solved."""
 
     kind: Literal["lagrange2d"] = Field(description="the solver")
-    integrator: Literal["compatible"] = Field("compatible", description="compatible closes the total energy to round-off")
+    integrator: Literal["compatible"] = Field("compatible", description="compatible conserves total energy to round-off")
     cells: Literal["quads", "triangles"] = Field("quads", description="a cell of a block is one quadrilateral zone, or two triangles")
     diagonal: Literal["one_way", "alternating", "crossed"] | None = Field(
         None, description="triangles: all diagonals one way (default), turned from row to row along j, or turned from cell to cell")
@@ -279,7 +279,7 @@ class SolverTable(Table):
         SolverOptions.growth, description="largest growth of the step per cycle")
     initial_step: Positive | None = Field(None, description="first time step (default: from the Courant condition)")
     largest_step: Positive | None = Field(None, description="largest time step (default: none)")
-    threads: int = Field(1, ge=1, le=1024, description="threads; the result does not depend on them, to the last bit")
+    threads: int = Field(1, ge=1, le=1024, description="number of threads; any number gives the same result, to the last bit")
     max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after this many cycles (default: no limit)")
     viscosity: ViscosityTable = Field(default_factory=ViscosityTable, description="artificial viscosity")  # type: ignore[arg-type]
     hourglass: HourglassTable = Field(default_factory=HourglassTable, description="hourglass filters")  # type: ignore[arg-type]
@@ -310,5 +310,5 @@ class Model(Table):
     contact: list[ContactTable] = Field(default_factory=list, max_length=10_000, description="surfaces that meet, [[contact]]")
     rigid: list[RigidTable] = Field(default_factory=list, max_length=1000, description="rigid bodies, [[rigid]]")
     body_force: Acceleration = Field((0.0, 0.0), description="acceleration of everything")
-    solver: SolverTable = Field(description="how it is solved")
+    solver: SolverTable = Field(description="how the problem is solved")
     output: PlaneOutputTable = Field(default_factory=PlaneOutputTable, description="what is kept")  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""The accounts of a run, by its solver: energy, momentum, what passed the ends, errors against both, and the largest values of zones.
+"""The balances of a run: energy, momentum, what passed the ends, the errors of these balances, and the largest values of zones.
 
 Extensive quantities are per m^2 (planar), per m and radian (cylindrical) or per steradian (spherical).
 """
@@ -48,7 +48,7 @@ def errors(solver) -> dict[str, float]:
 
 
 def exchanges(solver) -> dict[str, float]:
-    """Work (J) and impulse (kg m/s) of the two ends so far, of a body force and of heat sources, and the chemical energy set free (J)."""
+    """Work (J) and impulse (kg m/s) of the two ends so far, of a body force and of heat sources, and the chemical energy released (J)."""
     found = {name: float(solver.control[row]) for name, row in ENDS.items()}
     if solver.problem.body_force is not None:
         found |= {"force_work": float(solver.control[L.FORCE_WORK]), "force_impulse": float(solver.control[L.FORCE_IMPULSE])}
@@ -60,7 +60,7 @@ def exchanges(solver) -> dict[str, float]:
 
 
 def largest_velocity_jump(problem, peak_pressure, peak_density, region_ranges) -> dict[str, float]:
-    """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s. Rows (nzone,)."""
+    """Material -> largest particle velocity of a shock in it, from its peak pressure on the Rayleigh line, m/s. Rows (nzone,)."""
     found: dict[str, float] = {}
     for region, (first, last) in zip(problem.regions, region_ranges):
         rho0 = float(reference_state(problem.materials[region.material].eos)[0])

@@ -1,6 +1,6 @@
-"""Fracture criteria that are asked at nodes, of the zones beside them: ratios from which `watch.failing_node` opens a void.
+"""Fracture criteria evaluated at nodes, from the zones beside them: ratios from which `watch.failing_node` opens a void.
 
-They replace the zones' own ratios: of the two nodes of a zone the nearer to failure counts.
+They replace the ratios of the zones: a zone takes the larger ratio of its two nodes.
 """
 
 import numba as nb

@@ -1,6 +1,6 @@
-"""What happens between two steps: a body opens where it failed or where bodies separate, gaps close, and so does a cavity.
+"""What happens between two steps: a body opens where it failed or where bodies separate; gaps and cavities close.
 
-Each changes the topology of the run, keeps its momentum and books its energy, and is handed on as an `Event`.
+Each of these changes the topology of the run, conserves momentum, accounts for the energy and is reported as an `Event`.
 """
 
 import numpy as np
@@ -64,10 +64,15 @@ def close_gaps(solver) -> list[Event]:
             place = float(solver.nodes[H.r, last + k])
             left, right = _names(solver, last - 1, last)
             events.append(Event("void_closed", solver.time, solver.cycle, place,
-                                f"gap between '{left}' and '{right}' closed at {place:.6g} m, {heat:.4g} J of kinetic energy became heat"))
+                                f"gap between '{left}' and '{right}' closed at {place:.6g} m; "
+                                f"{heat:.4g} {_energy_unit(solver)} of kinetic energy became heat"))
         solver.renew_topology()
         _shorten_step(solver, [last - 1, last])
     return events
+
+
+def _energy_unit(solver) -> str:
+    return ("J/m^2", "J/m/rad", "J/sr")[solver.problem.dimension - 1]
 
 
 def contact_bond(problem, one: int, two: int) -> float:
@@ -88,7 +93,8 @@ def close_cavity(solver) -> Event:
     solver.segments[0, L.SEG_LEFT] = L.FIXED
     _shorten_step(solver, [0])
     solver.voids_closed += 1
-    return Event("void_closed", solver.time, solver.cycle, 0.0, f"the cavity closed, {heat:.4g} J of kinetic energy became heat")
+    return Event("void_closed", solver.time, solver.cycle, 0.0,
+                 f"the cavity closed; {heat:.4g} {_energy_unit(solver)} of kinetic energy became heat")
 
 
 def _shorten_step(solver, zones: list[int]) -> None:

@@ -1,7 +1,7 @@
 """The topology of a run: bodies (segments), runs of one material, interfaces; splitting a body at a node and joining two.
 
-Rare events, done on whole arrays in Python; the sweeps in between only see clean runs. Momentum is kept exactly, and the
-kinetic energy lost in a join goes to the two zones as heat, so the energy budget stays closed (W-E6).
+These rare events are handled on whole arrays in Python; the sweeps in between need no special cases. Momentum is conserved exactly, and the
+kinetic energy lost in a join goes to the two zones as heat, so the energy budget closes (W-E6).
 """
 
 import dataclasses
@@ -57,7 +57,7 @@ SHARE = 10 * L.PIECE     # zones of a share of work: some microseconds, and a wh
 def cuts(first, last):
     """Where a stretch of zones is cut into shares: alike, so that a team has them evenly, and none above SHARE.
 
-    All but the last are whole pieces, which are a multiple of any vector length, so that cutting changes no bit.
+    All but the last are whole pieces, which are a multiple of any vector length, so that cutting does not change results.
     """
     shares = max(-(-(last - first) // SHARE), 1)
     length = -(-(last - first) // (shares * L.PIECE)) * L.PIECE

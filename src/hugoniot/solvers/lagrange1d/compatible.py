@@ -2,12 +2,12 @@
 
 Forces are the transpose of the strain rates: with the volume rate A2 u2 - A1 u1 and the hoop rate (u1+u2)/(r1+r2), the power
 put into a zone is -sigma (A2 u2 - A1 u1) + H (u1 + u2), sigma = p + q - s1, H = (d-1) V (s2 + q - s1)/(r1 + r2), and the force
-on a node is minus its derivative by that node's velocity. Work and force use the same numbers, so the energy a zone gains is
+on a node is minus its derivative with respect to that node's velocity. Work and force use the same numbers, so the energy a zone gains is
 the kinetic energy its nodes lose, to round-off, in every geometry.
 
-The artificial viscosity is uniaxial: q resists the radial closing alone, with the power -q V (radial rate), and not the hoop
-convergence of a flow that narrows towards the axis, which is no shock (Schulz, Methods Comput. Phys. 3 (1964) 1; Noh, J. Comput.
-Phys. 72 (1987) 78). Hence the q in H: it takes away what sigma, which multiplies the whole volume rate, has too much.
+The artificial viscosity is uniaxial: q resists only the radial compression, with the power -q V (radial rate), and not the hoop
+convergence of flow towards the axis, which is not a shock (Schulz, Methods Comput. Phys. 3 (1964) 1; Noh, J. Comput.
+Phys. 72 (1987) 78). Hence the q in H: it subtracts the hoop part of q in sigma, which multiplies the whole volume rate.
 """
 
 from hugoniot.core.binder import bind
@@ -37,7 +37,7 @@ def shrinking(r1, r2, u1, u2, geometry):
 # -- passes of the geometry ----------------------------------------------------------------------------------------
 @zone_pass("r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth")
 def half_motion(count, z, dt, numbers, law):
-    """Energy, density and strains in the middle of the step, from the stress at its start and the velocities led on to the middle."""
+    """Energy, density and strains in the middle of the step, from the stress at its start and the velocities extrapolated to the middle."""
     rows_apart()
     geometry, half = kind_of(law), 0.5 * dt
     for j in range(count):
@@ -145,7 +145,7 @@ def end_stress(count, z, dt, numbers, law):
 
 @zone_pass(end_stress.rows, finite=False)
 def end_stress_seen(count, z, dt, numbers, law):
-    """The same where nothing will, looked over at once (`zones.soundness.look_over`)."""
+    """The same where nothing will, checked at once (`zones.soundness.look_over`)."""
     rows_apart()
     geometry, constants, fastest = kind_of(law), named(Constants, numbers), z.seen.found[FOUND_RATE]
     bad = new = 0

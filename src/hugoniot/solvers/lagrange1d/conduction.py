@@ -4,10 +4,11 @@ With the heat capacity $C = m c_v$ and conductance $G = A/(\Delta r_l/2k_l + \De
 
 $$C_j\,\dot T_j = G_{j-1/2}(T_{j-1} - T_j) + G_{j+1/2}(T_{j+1} - T_j)$$
 
-by the trapezoidal rule over $\gamma\Delta t$, $\gamma = 2 - \sqrt2$, and the second-order backward difference over the rest (TR-BDF2:
-second order, damping stiff parts). Energies change by the fluxes of the three stages, so that heat is conserved to round-off. Where a
-temperature would leave the range that its body had, the step is taken by the backward Euler rule, which cannot. Conductivity and
-specific heat are those at the start of the conduction, first order in time where they vary. Ends and gaps are insulated.
+is taken by the trapezoidal rule over $\gamma\Delta t$, $\gamma = 2 - \sqrt2$, and the second-order backward difference over the rest
+(TR-BDF2: second order, with damping of stiff components). Energies change by the fluxes of the three stages, so that heat is conserved to
+round-off. If a temperature would leave the range that its body had, the step is taken by the backward Euler rule, for which this is
+impossible. Conductivity and specific heat are those at the start of the step, so the scheme is of first order in time where they vary. Ends
+and gaps are insulated.
 
 Source: Bank et al., IEEE Trans. Electron Devices 32 (1985) 1992, section III; Hosea and Shampine, Appl. Numer. Math. 20 (1996) 21;
 the energy equation with conduction: Herrmann 2.16 and 3.4.

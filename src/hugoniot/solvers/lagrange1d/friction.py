@@ -1,11 +1,11 @@
-r"""Physical viscosity in one dimension: viscous stresses from the strains of a step, and what they do to nodes and energies.
+r"""Physical viscosity in one dimension: viscous stresses from the strains of a step, and their effect on nodes and energies.
 
 $$\tau_r = 2\mu\left(\dot\epsilon_r - \tfrac13\dot\vartheta\right) + \zeta\dot\vartheta, \qquad
   \tau_h = 2\mu\left(\dot\epsilon_h - \tfrac13\dot\vartheta\right) + \zeta\dot\vartheta, \qquad \zeta = r_b\mu + \zeta_0$$
 
-with $\dot\vartheta$ the rate of volume strain. They join the stress that moves the nodes, so that the compatible integrator's work is their
-dissipation to round-off; the leapfrog adds their work over the step to the energy before the pressure works. Explicit: a step is at most
-half the time in which a zone's velocity spreads over its width.
+with $\dot\vartheta$ the rate of volume strain. They are added to the stress that moves the nodes, so in the compatible integrator their
+work equals their dissipation to round-off; the leapfrog adds their work over the step to the energy before the pressure work. The scheme is
+explicit: a step is at most half the viscous diffusion time of a zone.
 
 Source: Herrmann equations 3.1 to 3.5; Jordan chapter 2 (4/3 mu + zeta along the motion).
 """
@@ -115,7 +115,7 @@ def rub_end(s, geometry, solid) -> None:
 
 
 def rub_leaping(s, geometry) -> None:
-    """Write the leapfrog's viscous stress at n+1/2, its work and what it asks of the step; `rub_leapt` lets it pull the nodes."""
+    """Write the leapfrog's viscous stress at n+1/2, its work and what it requires of the step; `rub_leapt` lets it pull the nodes."""
     if acts(s):
         z, h, t, w = s.at.z, s.at.h, s.at.t, s.at.w
         _strained(s, geometry, w.rho, z.e, s.at.whole)

@@ -1,8 +1,8 @@
-"""Where things stand in the solver's arrays: rows of the tables, slots of the control vectors, codes.
+"""Layout of the solver's arrays: rows of the tables, slots of the control vectors, codes.
 
-Zones of all bodies lie side by side in one table; a body (segment) k holds zones z0..z1-1 and nodes z0+k..z1+k, so the
+The zones of all bodies are stored contiguously in one table; body (segment) k has zones z0..z1-1 and nodes z0+k..z1+k, so the
 number of a zone's left node is zone + segment. The velocity-gradient row has one ghost at each end of every segment:
-zone z of segment k stands at z + 2k + 1.
+zone z of segment k is at z + 2k + 1.
 """
 
 from typing import Any, NamedTuple

@@ -1,31 +1,31 @@
 r"""The `wilkins` integrator: the leapfrog of Wilkins B.2 over a piece of zones, with its own energy equation, as a list of passes.
 
-Corrections and readings: |dU/dr| in q (W-E3); stresses at j+-1/2 (W-E5); the pressure and energy solved together, exactly
-for laws linear in the energy (B.2 item 8, W-11) and by Newton otherwise; dZ included (J-E12); the Courant step with the
-elastic sound speed (W-E4), and with the limit of the linear viscosity that W-7 leaves out (`signal_squared`).
+Corrections and readings: |dU/dr| in q (W-E3); stresses at j+-1/2 (W-E5); pressure and energy solved together, exactly
+for laws linear in the energy (B.2 item 8, W-11) and by Newton's method otherwise; dZ included (J-E12); the Courant step with the
+elastic sound speed (W-E4), and with the limit for the linear viscosity that W-7 omits (`signal_squared`).
 
 Burning material, with $\bar q = \tfrac12(q^{n+1/2} + q^{n-1/2})$ and dZ the work of the deviators:
 
 $$e^{n+1} = e^n + dZ - \left[\tfrac12(p^n + p^{n+1}) + \bar q\right]\Delta v, \qquad p^{n+1} = p(\rho^{n+1}, e^{n+1}, \lambda^{n+1})$$
 
-First the burn fraction is led on by the pressure at n, and gives the pressure $p'$ expected at n+1; then once more from n by the mean
-pressure of the step, $\tfrac12(p^n + p')$, and gives $p''$, from which one Newton step in the energy, exact for laws linear in it, leads
-to $p^{n+1}$.
+First the burn fraction is advanced with the pressure at n, which gives the pressure $p'$ predicted for n+1. It is then advanced once more
+from n with the mean pressure of the step, $\tfrac12(p^n + p')$, which gives $p''$. One Newton step in the energy, exact for laws linear in
+it, then gives $p^{n+1}$.
 
-What burns at once takes the step of the KB codes, with w the artificial viscosity that moved the nodes at n:
+Instantaneous burning uses the step of the KB codes, with w the artificial viscosity that moved the nodes at n:
 
 $$e' = e^n + dZ - (p^n + w^n)\,\Delta v, \quad p' = p(\rho^{n+1}, e'), \qquad
   e^{n+1} = e^n + dZ - \left[\tfrac12(p^n + p') + w^n\right]\Delta v, \quad p^{n+1} = p(\rho^{n+1}, e^{n+1})$$
 
-A zone whose $p^{n+1}$ passes the threshold burns there and then: its pressure is already that of the products when its nodes are moved
-next. That step keeps to the signal speed c + 4 w/(rho |du|), the limit of diffusion by a quadratic viscosity (Richtmyer & Morton); the KB
-codes do not print theirs, and the speed of their wave depends on it.
+A zone whose $p^{n+1}$ exceeds the threshold burns at the end of the same step: its pressure is already that of the products when its nodes
+are moved next. This step is limited by the signal speed c + 4 w/(rho |du|), the limit of diffusion by a quadratic viscosity (Richtmyer &
+Morton). The KB codes manual does not give its limit, and the speed of the wave depends on it.
 
-Where nothing stands for the explosive before it burns, a schedule spreads the front by itself, and viscosity in it would compress what
-has no pressure yet, ahead of the schedule; a front that runs at the speed its products would drive then grows without end. There only the
-quadratic part of the viscosity acts, and only as far as the velocity field is not smooth.
+If the explosive has no equation of state before it burns, the schedule spreads the front. Viscosity in the front would compress material
+that has no pressure yet, ahead of the schedule, and the pressure in a front at the CJ velocity of its products would grow without bound.
+There only the quadratic part of the viscosity acts, and only where the velocity field is not smooth.
 
-The energy is not that of the motion to round-off, as in every leapfrog of its kind (W-E6).
+As in every leapfrog of this kind, total energy is not conserved to round-off (W-E6).
 
 Source: Wilkins B.2 items 2 and 5 to 9; KB codes equations 1.8 to 1.11 with the viscous term of K-E5, and section 4;
 Herrmann A.27 to A.30; Starkenberg sections 3 to 5.

@@ -139,7 +139,7 @@ def end_stress(count, z, dt, numbers, law):
 
 @zone_pass(end_stress.rows, finite=False)
 def end_stress_seen(count, z, dt, numbers, law):
-    """The same where nothing will, looked over at once (`zones.soundness.look_over`)."""
+    """The same where nothing will, checked at once (`zones.soundness.look_over`)."""
     rows_apart()
     geometry, constants, fastest = kind_of(law), named(Constants, numbers), 0.0
     bad = new = 0
@@ -171,7 +171,7 @@ def end_stress_at_once(count, z, dt, numbers, law):
 
 @zone_pass("r u node_mass mass smooth")
 def look_around(count, z, dt, numbers, law):
-    """Smoothness of the velocity field in every zone; beyond an end of its body the field goes on as inside."""
+    """Smoothness of the velocity field in every zone; beyond an end of its body the field is continued from inside."""
     rows_apart()
     for j in range(count):
         own = (z.u[j + 1] - z.u[j]) / (z.r[j + 1] - z.r[j])

@@ -21,8 +21,8 @@ SUDDEN = 0.01     # |du| / c of a driven end in one step: a jump, not a ramp
 # -- inner nodes: `count` of them from the second of the node rows on; zone rows begin with the zone on the left of the first ---------
 @zone_pass("r u u_mean r_half")
 def drift(count, z, dt, numbers, law):
-    """Nodes, ends included, in the middle of the step: positions by the velocities at its start, and those velocities led on there by the
-    acceleration of the step before. dt is half the step; `numbers` its ratio to the one before."""
+    """Nodes, ends included, in the middle of the step: positions by the velocities at its start, and those velocities extrapolated by the
+    acceleration of the previous step. dt is half the step; `numbers` its ratio to the one before."""
     rows_apart()
     ahead = numbers[0]
     for j in range(count):
@@ -167,7 +167,7 @@ def hold(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
 @nb.njit(**BY_ADDRESS)
 def follow_end(zones, nodes, control, ends, left, dt, boundary):
     """Let a transmitting end of a segment see the zones at the start of the step, and the zones the velocity that an end is given in it:
-    led on by its acceleration, an end whose velocity jumps would go on past it."""
+    extrapolated with its acceleration, an end whose velocity jumps would go on past it."""
     node, zone, code = ends
     if code == L.VELOCITY:
         nodes[H.u_mean, node] = 0.5 * (nodes[H.u, node] + pulse_value(control[L.TIME] + dt, boundary.pulse, boundary.table))
@@ -179,7 +179,7 @@ def follow_end(zones, nodes, control, ends, left, dt, boundary):
 def end_node(zones, nodes, control, ends, left, dt, boundary, geometry):
     """One end of a segment at the end of the step; `ends` = (node, zone, boundary code), `boundary` an `End` or `OpenEnd`.
 
-    The work and the impulse of what stands outside are booked.
+    The work and the impulse of what stands outside are recorded.
     """
     node, zone, code = ends
     pulse, table, field = boundary.pulse, boundary.table, boundary.field

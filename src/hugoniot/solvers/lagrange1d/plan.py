@@ -1,8 +1,8 @@
-"""The plan of a march: for each command of the step the lists of passes that carry it out, and the shares of zones or nodes they take.
+"""The plan of a march: for each command of the step, the lists of passes that carry it out and the shares of zones or nodes.
 
-Lists are written once for a run, one for each material and member of the team, whose scratch they use. Shares are laid out anew when
-bodies open or close. Every share is worked on by one thread, and totals are taken over the shares in their order, so that no bit of a
-result depends on the number of threads.
+Lists are made once per run, one for each material and member of the team, whose scratch memory they use. Shares are recomputed when
+bodies open or close. Every share is processed by one thread, and totals are taken over the shares in a fixed order, so results do not
+depend on the number of threads, to the last bit.
 """
 
 from typing import Any, NamedTuple

@@ -1,4 +1,4 @@
-"""Where gauges sit: from a gauge's request to the zones and faces it reads, redone whenever a body splits or joins."""
+"""Positions of gauges: the zones and faces that each gauge reads, updated whenever bodies split or join."""
 
 import bisect
 

@@ -1,7 +1,7 @@
-"""Setting up burning regions: the solver's laws for them, lighting times, the state before burning, and what is told about it.
+"""Setting up burning regions: the solver's laws for them, lighting times, the state before burning, and messages.
 
-A burning zone owns the rows of the zone table behind the inert ones (`layout`): burn fraction, time since its lighting, size at
-t = 0, the two phases of the step before, and how the reactants' reference state was found. Runs without an explosive have no such rows.
+Burning zones have further rows in the zone table behind the inert ones (`layout`): burn fraction, time since lighting, size at
+t = 0, the two phases of the previous step, and how the reactants' reference state was found. Runs without an explosive have no such rows.
 """
 
 import numpy as np
@@ -24,7 +24,7 @@ PULLED = 0.01        # tension, in units of rho0 c0^2, beyond which an explosive
 
 
 def check(problem: Problem) -> None:
-    """Refuse what burning cannot be combined with, and burn laws that lack their data; OutOfRange says what to change."""
+    """Refuse combinations that burning does not support, and burn laws that lack data; OutOfRange says what to change."""
     for _, message, hint in defects(problem):
         raise OutOfRange(f"{message}; {hint}" if hint else message)
 
@@ -95,7 +95,7 @@ def gauge_columns(problem: Problem, block) -> dict[str, np.ndarray]:
 
 
 def released_heat(problem: Problem, mass, burned, ranges) -> float:
-    """Chemical energy set free so far, J in the problem's geometry, from the masses and burn fractions of the zones."""
+    """Chemical energy released so far, J in the problem's geometry, from the masses and burn fractions of the zones."""
     return float(sum(burning.heat_of(problem.materials[region.material]) * np.sum(mass[a:b] * burned[a:b])
                      for region, (a, b) in zip(problem.regions, ranges) if burns(problem, region)))
 
@@ -109,13 +109,13 @@ def unresolved(problem: Problem, resolution, ranges) -> list[str]:
         held = resolution[a:b]
         held = held[held < 1e299]
         if held.size and np.median(held) < ZONES_NEEDED:
-            told.append(f"region '{region.name}' burned within {np.median(held):.3g} zones (median over its zones): its rate is not "
-                        f"resolved; {ZONES_NEEDED:g} zones are needed, so make them {ZONES_NEEDED / np.median(held):.2f} times smaller")
+            told.append(f"region '{region.name}' burned within {np.median(held):.3g} zones (median over its zones), so its reaction zone "
+                        f"is not resolved; {ZONES_NEEDED:g} zones are needed: make them {ZONES_NEEDED / np.median(held):.2f} times smaller")
     return told
 
 
 def doubts(problem: Problem, resolution, peak_tension, ranges) -> list[str]:
-    """What a reader of the results has to know: rates that were not resolved, explosives pulled beyond what they bear.
+    """What limits the validity of the results: rates that were not resolved, explosives in tension beyond their strength.
 
     Rows (nzone,) of any solver: zones in a reaction length, peak tension (Pa, positive); ranges: first and last zone of the regions.
     """

@@ -1,8 +1,8 @@
 """Periodic ends: what leaves at one end enters at the other.
 
-The two end nodes are one node with the sum of their masses: the stress of the last zone pushes it from the left, that of the first from
-the right. Each end books what the other half does to it, so that work and impulse of the two cancel. The viscosity's limiter looks
-across the seam, and the artificial heat flux passes it as any face between zones of one region.
+The two end nodes are one node with the sum of their masses, between the last zone on its left and the first on its
+right. Each end records the action of the other half on it, so that work and impulse of the two cancel. The limiter of the viscosity acts
+across the junction, and the artificial heat flux passes through it as through any face between zones of one region.
 """
 
 from typing import Any, NamedTuple

@@ -1,7 +1,8 @@
-"""The one-dimensional Lagrangian solver: owns the arrays, marches them, hands out states, accounts and checkpoints.
+"""The one-dimensional Lagrangian solver: owns the arrays, advances them, and provides states, balances and checkpoints.
 
-Knows a problem's numbers and laws; never files, decks or plots. `march` takes steps until something happens and says what. How a run
-starts stands in `start`, what happens between steps in `between_steps`, what went wrong in `post_mortem`, the sums in `accounts`.
+It uses the numbers and laws of a problem, never files, decks or plots. `march` takes steps until something happens and reports it. The
+start of a run is in `start`, events between steps in `between_steps`, the diagnosis of failures in `post_mortem`, the balances in
+`accounts`.
 """
 
 import numpy as np
@@ -198,7 +199,7 @@ class Lagrange1D(NothingToAdd):
         return State(self.time, self.cycle, zones, left, right, ul, ur)
 
     def motion(self) -> State:
-        """Places and velocities alone: a sixth of the work of `state`."""
+        """Positions and velocities alone: a sixth of the work of `state`."""
         return State(self.time, self.cycle, {}, *self.faces(H.r), *self.faces(H.u))
 
     @property
@@ -220,11 +221,11 @@ class Lagrange1D(NothingToAdd):
                 "tension_cap_acted": int(self.counters[L.CAP_COUNT])}
 
     def largest_velocity_jump(self) -> dict[str, float]:
-        """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
+        """Material -> largest particle velocity of a shock in it, from its peak pressure on the Rayleigh line, m/s."""
         return accounts.largest_velocity_jump(self.problem, self.zones[Z.peak_pressure], self.zones[Z.peak_density], self.region_ranges)
 
     def warnings(self) -> list[str]:
-        """Sentences about rates of burning that the mesh did not resolve, and about explosives stretched beyond what they can carry."""
+        """Sentences about rates of burning that the mesh did not resolve, and about explosives in tension beyond what they can support."""
         if not self.burning:
             return []
         return reactive.doubts(self.problem, self.charge[B.resolution], -self.zones[Z.peak_tension], self.region_ranges)

@@ -1,9 +1,10 @@
-r"""Body force and heat sources: what acts on a run from outside, everywhere at once.
+r"""Body force and heat sources, which act throughout the material.
 
-A body force accelerates every node by g(t), in curved geometry by $g(t)(r/R)^n$; the work it does is booked, node by node. A heat source
+A body force accelerates every node by g(t), in curved geometry by $g(t)(r/R)^n$; its work is recorded node by node. A heat source
 gives zone j the energy $w_j\int f\,dt$ per mass in a step, with the exact integral of its history f, so that the energy supplied does not
-depend on the steps. The weights $w_j$ hold the profile in depth, in Lagrangian coordinates: through a face of area A enters the power
-A f, of which the zone between depths $d_1, d_2$ absorbs $e^{-d_1/\delta} - e^{-d_2/\delta}$ (Beer's law along the radius).
+depend on the steps. The weights $w_j$ represent the profile in depth, in Lagrangian coordinates: the power A f enters through a face of
+area A, and the zone between the depths $d_1, d_2$ absorbs the fraction $e^{-d_1/\delta} - e^{-d_2/\delta}$ of it (Beer's law along the
+radius).
 
 Source: Herrmann 2.3 and 2.4 (body force), 2.16 and 2.18 (energy supply).
 """

@@ -1,4 +1,4 @@
-"""Before the first step: driven and held ends, the numbers that control the step, and the step itself."""
+"""Before the first step: driven and held ends, the numbers that control the time step, and the first step itself."""
 
 import numpy as np
 

@@ -9,9 +9,9 @@ compatible                                             wilkins (Wilkins B.2)
  6. zones: energy, stress, signal rate at the end
  7. heat flux, conduction, watch: soundness and peaks, failing zones, interfaces, gaps, gauges
 
-What is done to zones and nodes stands in lists of passes (`compatible`, `leapfrog`), which the `plan` carries out. A march returns when
-its cycles are done, an event time is reached, a gauge buffer is full, a void opens or closes, or a state is bad; the codes are in
-`layout`. It knows no law, so that it is compiled once for an integrator and a geometry.
+The work on zones and nodes is defined by lists of passes (`compatible`, `leapfrog`), which the `plan` executes. A march returns when
+its cycles are done, an event time is reached, a gauge buffer is full, a void opens or closes, or a state is invalid; the codes are in
+`layout`. The march does not depend on the laws, so it is compiled once for an integrator and a geometry.
 """
 
 from collections import namedtuple
@@ -216,7 +216,7 @@ def begin_terms(a, scheme, terms):
 
 @only_if(lambda terms: terms is Marching)
 def end_terms(a, plan, scheme, geometry, terms):
-    """What body force and heat sources have done in the step, booked; conduction."""
+    """What body force and heat sources have done in the step, recorded; conduction."""
     if terms.force.pulse[0] >= 0.0:
         book_force(a.nodes, a.control, plan.dts, scheme.staggered, terms.force)
     if terms.supply.sums.shape[0] > 0:

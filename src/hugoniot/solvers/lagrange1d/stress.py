@@ -1,6 +1,6 @@
 """Stress deviators in one dimension: elastic trial from the strain increments of a step, and the return to the yield surface.
 
-Wilkins B.2 items 5 and 6. In planar and spherical flow the two hoop directions are alike, so s1 = -2 s2 and the return is a clamp of s1
+Wilkins B.2 items 5 and 6. In planar and spherical flow the two transverse directions are equivalent, so s1 = -2 s2 and the return limits s1
 (Herrmann A.18, with the corrected result sgn 2Y/3); cylindrical flow needs the full second invariant.
 """
 

@@ -1,9 +1,9 @@
 """The zone table in memory: rows that a sweep can read and write at full speed.
 
-A sweep streams some twenty rows at once. Rows start on a cache line, so that no packed load straddles two, and they are spaced so
-that the same zone of two rows does not fall on the same place of a memory page: a processor that compares only that place would
-hold a load back until an unrelated store before it is done. Pages are touched when the table is made: a packed store under a mask
-to a page that does not exist yet is many times slower than any other.
+A sweep streams some twenty rows at once. Rows start on a cache line, so that no packed load straddles two lines. They are spaced so
+that the same zone of two rows does not have the same offset in a memory page: a processor that compares only the offset would
+delay a load until an unrelated earlier store is done. Pages are touched when the table is created, because a masked packed store
+to a page that is not yet mapped is many times slower than any other store.
 """
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""The further terms of a run (body force, heat sources, transport): its arrays, and what of them the lists of a material take."""
+"""Further terms of a run (body force, heat sources, transport): their arrays, and those used by the lists of a material."""
 
 from typing import NamedTuple
 

@@ -1,24 +1,25 @@
-r"""A transmitting end: material beyond it that goes on as inside, so that waves run out.
+r"""A transmitting end: the material beyond it is assumed to continue unchanged, so that waves leave.
 
-In a wave that runs to the right, shock or release, elastic or plastic, stress and velocity are tied by $d\sigma = Z\,du$ with the
-impedance of the path that the material takes,
+In a wave that runs to the right (shock or release, elastic or plastic) stress and velocity are related by $d\sigma = Z\,du$ with the
+impedance of the path that the material follows,
 
 $$Z^2 = -\frac{d\sigma}{dv}, \qquad \sigma = p + q - s_1,$$
 
-$\rho c$ along an isentrope, $\rho_0 U_s$ along the Rayleigh line of a shock, where the artificial viscosity is part of the stress. Waves
-of either direction have the same Z, so an error does not feed on itself. $d\sigma$ and $dv$ are differences to the lagged means of the last
-zones: where a shock passes one of them, over many transit times of a zone, which gives the chord of the whole shock before it reaches
-the end; else over one transit of the zones nearest to the end, and so along the curve. The stress outside then follows the end's
-velocity, $T \mathrel{+}= Z\,(u - u_n)$.
+which is $\rho c$ along an isentrope and $\rho_0 U_s$ along the Rayleigh line of a shock, where the artificial viscosity is part of the
+stress. Waves in either direction have the same Z, so an error does not amplify itself. $d\sigma$ and $dv$ are differences from the lagged
+means of the last zones. While a shock passes one of them the lag is many transit times of a zone, which gives the chord of the whole shock
+before it reaches the end; otherwise it is one transit of the zones nearest to the end, which gives the slope of the curve. The stress
+outside then follows the velocity of the end, $T \mathrel{+}= Z\,(u - u_n)$.
 
-Zones have a width h. Of a wave that runs through them unchanged, the stress at the end is the mean of two zones, half a transit time
-$\tau = m/Z$ before and after, and $Zu$ the mean over the time between: $T = Zu + \tfrac{1}{12}Z\tau^2\ddot u$. With the end node's
-$\tfrac12 m\dot u = \sigma - T$ the second term is a lead $X = \tfrac16\tau\,d(\sigma - T)/dt$, here a high pass of $\sigma - Zu$.
+Zones have a finite width. In a wave that runs through them unchanged, the stress at the end is the mean of two zones, half a transit time
+$\tau = m/Z$ before and after, and $Zu$ is the mean over the time between: $T = Zu + \tfrac{1}{12}Z\tau^2\ddot u$. With
+$\tfrac12 m\dot u = \sigma - T$ for the end node the second term is a lead $X = \tfrac16\tau\,d(\sigma - T)/dt$, computed as a high-pass
+filter of $\sigma - Zu$.
 
-A wave that spreads from the axis or the origin also falls: for sound far from the centre
-$\partial_t p = \rho c\,\partial_t u - \tfrac12(d-1)\,c\,(p-p_0)/r$ (Bayliss and Turkel, Comm. Pure Appl. Math. 33 (1980) 707), and so
-does the stress outside the right end. What a spreading wave scatters back, and the stiffness of an elastic body around a sphere, are
-missing.
+A wave that spreads from the axis or the origin also decays: for sound far from the centre
+$\partial_t p = \rho c\,\partial_t u - \tfrac12(d-1)\,c\,(p-p_0)/r$ (Bayliss and Turkel, Comm. Pure Appl. Math. 33 (1980) 707). The stress
+outside the right end follows the same equation. The waves that a spreading wave scatters back, and the stiffness of an elastic body around
+a sphere, are not included.
 """
 
 import math
@@ -98,7 +99,7 @@ def settle(zones, nodes, control, ends, end, faster, dt, geometry):
 def ghosts(gradient, control, segments):
     """Velocity gradients beyond the ends, which the viscosity's limiter looks at.
 
-    Beyond a wall or a free surface the field goes on as inside, so that it is no extremum; beyond a transmitting end it is what the
+    Beyond a wall or a free surface the field is continued from inside, so that it is no extremum; beyond a transmitting end it is what the
     last zone had before.
     """
     for k in range(segments.shape[0]):

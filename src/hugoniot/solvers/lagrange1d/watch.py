@@ -1,4 +1,4 @@
-"""What is looked at after every step: failing zones, interfaces, gaps, gauges; and at times that are passed."""
+"""Checks after every step (failing zones, interfaces, gaps, gauges) and at given times."""
 
 import math
 

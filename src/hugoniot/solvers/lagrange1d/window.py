@@ -1,6 +1,6 @@
-"""A window of zones that follows what runs through it: laid out with given states, and moved on over material like that ahead.
+"""A window of zones that follows a wave: it starts with given states and moves on over material like that ahead.
 
-For one planar region of like zones with the compatible integrator, whose right end moves with the material ahead of it.
+For one planar region of equal zones with the compatible integrator, whose right end moves with the material ahead of it.
 """
 
 import numpy as np
@@ -27,7 +27,7 @@ class Window:
         problem = solver.problem
         region = problem.regions[0]
         if len(problem.regions) > 1 or problem.dimension > 1 or region.ratio != 1.0 or solver.staggered:
-            raise OutOfRange("a window moves over one planar region of equal zones with integrator \"compatible\"")
+            raise OutOfRange("a moving window needs one planar region of equal zones and integrator \"compatible\"")
         self.solver, self.size = solver, (region.end - region.start) / region.zones
         self._behind = 0.0
         self.mass = float(solver.zones[Z.mass, 0])

@@ -1,4 +1,4 @@
-"""What a run in two dimensions has kept, exchanged and seen: read from the solver's arrays, which it does not change."""
+"""Balances, exchanges and peak values of a run in two dimensions, read from the solver's arrays without changing them."""
 
 import numpy as np
 
@@ -86,7 +86,7 @@ def signal_rate(solver) -> float:
 
 
 def exchanges(solver) -> dict[str, float]:
-    """Work (J) and impulse (kg m/s) of every chain of boundary edges so far and, where something burns, the heat set free (J)."""
+    """Work (J) and impulse (kg m/s) of every chain of boundary edges so far and, where something burns, the heat released (J)."""
     found = {}
     for name, (work, x, y) in zip(solver.boundaries.chains, solver.chains):
         found |= {f"work {name}": float(work), f"impulse_x {name}": float(x), f"impulse_y {name}": float(y)}
@@ -103,12 +103,12 @@ def peaks(zones) -> dict[str, np.ndarray]:
 
 
 def largest_velocity_jump(problem, zones) -> dict[str, float]:
-    """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
+    """Material -> largest particle velocity of a shock in it, from its peak pressure on the Rayleigh line, m/s."""
     return line.largest_velocity_jump(problem, zones[Z.peak_pressure], zones[Z.peak_density], ranges(problem))
 
 
 def doubts(solver) -> list[str]:
-    """Sentences about rates of burning that the mesh did not resolve, and about explosives stretched beyond what they can carry."""
+    """Sentences about rates of burning that the mesh did not resolve, and about explosives in tension beyond what they can support."""
     if not solver.burning:
         return []
     return reactive.doubts(solver.problem, solver.charge[B.resolution], -solver.zones[Z.peak_tension], ranges(solver.problem))

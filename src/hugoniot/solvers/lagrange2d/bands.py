@@ -1,9 +1,9 @@
-"""A step that is taken band by band: a band of rows of the mesh stays in cache while all commands of the step go over it.
+"""A step taken band by band: a band of rows of the mesh stays in cache while all commands of the step are applied to it.
 
-A command of one band lags behind the one before it by the rows it needs from it, so that every row sees all others as if each command
-had been carried out over the whole mesh; no bit depends on the height of the bands. Nodes that something besides their own zones acts
-on are held along with their rows, for which what acts on them stands in the order of the rows. Where something acts on rows that are
-not neighbours (nodes that blocks share, contact, transmitting edges), one band is the whole mesh.
+Each command lags behind the previous one by the rows that it needs from it, so that the results are the same as if each command
+had been carried out over the whole mesh, whatever the height of the bands. Special nodes, on which something besides their own zones acts,
+are handled with their rows; their data are sorted by rows. Where something connects rows that are
+not neighbours (nodes shared by blocks, contact, transmitting edges), the whole mesh is one band.
 
 Rows of the mesh are those of its nodes, block by block, each with the row of zones behind it.
 """

@@ -1,8 +1,8 @@
-"""What the passes of zones ask of a zone, answered by its kind: quadrilaterals (`quads`) or triangles (`triangles`).
+"""Functions of a zone that the passes use, for each kind of zone: quadrilaterals (`quads`) or triangles (`triangles`).
 
 A pass names the corners of its zones by one row of its rows, `layout.Sides` or `layout.Vertices` (with velocities) or
-`layout.SidesNow` or `layout.VerticesNow` (positions only). By its class the compiler chooses among the functions here, so that one text
-of the passes serves both kinds of zone. In Python they choose by the same classes.
+`layout.SidesNow` or `layout.VerticesNow` (positions only). The compiler chooses among the functions here by this class, so that the same
+source of the passes serves both kinds of zone. In Python the same classes are used.
 """
 
 from hugoniot.core.binder import bind, bind_choice
@@ -24,7 +24,7 @@ def volume(of, geometry):
 
 
 def coefficients(of, near, geometry):
-    """Coefficients of a zone; near: the radius that stands for the axis."""
+    """Coefficients of a zone; near: the radius used for the axis."""
     return _coefficients(type(of), None, type(geometry))(of, near, geometry)
 
 

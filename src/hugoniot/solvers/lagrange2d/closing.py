@@ -1,6 +1,6 @@
-"""Where zones close: stretches of a row of zones in which no corner does are passed over by the passes of the tensor viscosity.
+"""Where zones close: the passes of the tensor viscosity skip groups of zones in a row in which no corner closes.
 
-Whether a stretch of zones is passed over never changes a bit of a result: nothing closes in it, so that its viscous stress is zero.
+Skipping never changes a result: nothing closes in such a group, so its viscous stress is zero.
 """
 
 from typing import Any, NamedTuple

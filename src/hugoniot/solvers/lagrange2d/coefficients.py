@@ -1,7 +1,7 @@
 r"""Coefficients of the artificial viscosity of a zone: those of a shock where it is compressed, a smaller linear one where it flows.
 
-A shock in a solid needs the linear part that one in a gas has, or it rings; the long plastic flow behind it would be resisted as well. A
-shock compresses, plastic flow does not: with $\lambda_1$ the rate of the fastest closing the linear coefficient is
+A shock in a solid needs the same linear part as one in a gas, or it rings, but the sustained plastic flow behind it would be resisted as
+well. A shock compresses, plastic flow does not. With $\lambda_1$ the rate of the fastest closing the linear coefficient is therefore
 
 $$c_1 = c_s + (c_l - c_s) \min\left(1, \max\left(0, \frac{\dot V/V}{\lambda_1}\right)\right)^2 .$$
 """

@@ -1,9 +1,9 @@
 """Commands of a step, carried out over a band of rows by a team.
 
 A command is a list of passes for each kind of row and member of the team (`plan`). A share is one row of zones or of nodes of a block; a
-row of zones from which some have left the mesh is one share for each stretch that is left. The rows of a mesh are those of its nodes,
-block by block, each with the row of zones behind it, if there is one. Every member does the rows that are its own, and totals are taken
-over the shares in their order, so that no bit of a result depends on the number of threads or the height of the bands.
+row of zones with eroded zones has one share for each remaining run of zones. The rows of a mesh are those of its nodes,
+block by block, each with the row of zones behind it, if there is one. Every member processes its own rows, and totals are taken
+over the shares in a fixed order, so results do not depend on the number of threads or the height of the bands, to the last bit.
 """
 
 from typing import Any, NamedTuple

@@ -1,13 +1,13 @@
-r"""Edge viscosity: each edge of a zone whose ends close resists along their velocity difference.
+r"""Edge viscosity: each edge of a zone whose ends approach each other resists along their velocity difference.
 
-Between the corners k and k + 1 stands the segment from the middle of their edge to the centre of the zone, with the normal S (its length,
-from k to k + 1). Where $\Delta u\cdot S < 0$ the corner k + 1 feels
+Between the corners k and k + 1 lies the segment from the middle of their edge to the centre of the zone, with the normal S (of the same
+length, pointing from k to k + 1). Where $\Delta u\cdot S < 0$ the force on the corner k + 1 is
 
 $$F = \rho\,w(|\Delta u|, \psi)\,(\Delta u\cdot S)\,\frac{\Delta u}{|\Delta u|}$$
 
-and k the opposite: the work is never negative, no rigid motion is resisted, and a frame that turns or moves changes nothing. psi is that of
-the logical direction of the edge (`smoothness`). The mean stress of these forces, $\bar Q = \frac1A\sum_k \mathrm{sym}\,F_k\otimes x_k$,
-goes with the stress of the zone, so that it has the terms of its geometry; the rest acts as it is.
+and that on k the opposite. The dissipation is never negative, no rigid motion is resisted, and the result is frame invariant. psi is that
+of the logical direction of the edge (`smoothness`). The mean stress of these forces, $\bar Q = \frac1A\sum_k \mathrm{sym}\,F_k\otimes x_k$,
+is added to the stress of the zone, so that it has the terms of the geometry; the remaining forces act unchanged.
 
 Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70.
 """

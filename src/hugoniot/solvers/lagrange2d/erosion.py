@@ -1,8 +1,8 @@
-"""Zones that leave the mesh, by their plastic strain, by their time step, or because the mesh would tangle in them.
+"""Erosion: zones leave the mesh because of their plastic strain, their time step, or because the mesh would tangle in them.
 
-Such a zone does nothing more: its row of zones is carried out in the stretches on both sides of it, its corner forces are zero, and
-its faces towards other zones are surfaces that may meet others. What it weighed stays with its nodes and moves with them; where
-no zone is left around a node, it flies on by itself. Or it is dropped, and booked. Its internal energy does no work any more.
+An eroded zone is skipped: its row of zones is processed in the runs on both sides of it, its corner forces are zero, and
+its faces towards other zones become surfaces that may touch others. Its mass stays with its nodes and moves with them; a node without
+remaining zones moves on as a point mass. Alternatively the mass is dropped and accounted for. Its internal energy does no more work.
 """
 
 import numpy as np

@@ -1,14 +1,14 @@
 r"""Artificial heat flux: spreads the excess heat that a shock leaves where it starts, is reflected or converges (wall heating).
 
-Through the face A between two zones of a gas flows
+The heat flux through the face A between two zones of a gas is
 
 $$\Phi = h\,A\,\frac{\min(q_L,q_R)}{\max(w_L + c_L/3,\; w_R + c_R/3)}\,(e_L - e_R),$$
 
-q the trace of the viscous stress and w the viscous speed of the step before: q/w is the density times the jump with which a zone closes,
-less where the limiter spares it. The sound speed c makes a faint motion carry in proportion to itself. The lesser q counts: nothing flows
-out of hot gas behind a shock into the shock, which would thin the peak of a blast wave. What leaves one zone enters the next. Faces at the
-edge of a block have a cell without q beyond them and let nothing through, but for joints of one material that starts alike on both sides
-(`smoothness.fill_ghosts`).
+with the trace q of the viscous stress and the viscous speed w of the previous step: q/w is the density times the velocity jump of a closing
+zone, or less where the limiter acts. With the sound speed c the flux is proportional to weak motions. The smaller q is used, so that no
+heat flows from the hot gas behind a shock into the shock, which would lower the peak of a blast wave. What leaves one zone enters the next.
+Beyond faces at the edge of a block lies a cell without q, so that nothing flows there, except at joints where the same material starts in
+the same state on both sides (`smoothness.fill_ghosts`).
 
 Noh, J. Comput. Phys. 72 (1987) 78, section on artificial heat conduction.
 """
@@ -44,7 +44,7 @@ class CarryOf(NamedTuple):
 
 
 class ConductOf(NamedTuple):
-    """Nodes in the middle of the step, cells of the zones and of their neighbours, inverse mass; e is led on."""
+    """Nodes in the middle of the step, cells of the zones and of their neighbours, inverse mass; e is advanced."""
 
     low: Positions
     high: Positions

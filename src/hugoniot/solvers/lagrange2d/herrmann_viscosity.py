@@ -1,4 +1,4 @@
-r"""Herrmann's viscosity, for comparison: a bulk pressure, and stress deviators along the axes of the frame.
+r"""Herrmann's viscosity, for comparison: a bulk pressure, and stress deviators along the coordinate axes.
 
 $$q = \rho\,\ell\,\dot e\,(B_2 c + B_1^2\ell\,\dot e),\quad \ell = \sqrt A,\quad \dot e = \dot\rho/\rho > 0;\qquad
   {}^dq_{xx} = -\rho\,\bar x\,|d'_{xx}|\,(B_4 c + B_3^2\,\bar x\,|d'_{xx}|)\quad (d'_{xx} < 0)$$
@@ -7,12 +7,12 @@ and likewise for y, with the extent of the zone along each axis;
 
 $${}^dq_{xy} = \rho\,\ell_s\,d_{xy}\,(B_4 c + B_3^2\,\ell_s\,|d_{xy}|),\quad \ell_s = \sqrt{\bar x\bar y}$$
 
-acts both ways, and ${}^dq_\theta = -({}^dq_{xx} + {}^dq_{yy})$. As printed the quadratic shear term has one sign and drives shear of the
-other (H-E4). No values of the coefficients are printed: $B_3 = B_1$ and $B_4 = B_2$ here, from the coefficients of the deck so that
-strong and weak shocks are resisted as by the other viscosities, $B_1^2 = 2 c_2$, $B_2 = c_1$.
+acts for either sign of the shear, and ${}^dq_\theta = -({}^dq_{xx} + {}^dq_{yy})$. As printed, the quadratic shear term has a fixed sign
+and drives shear of the opposite sign (H-E4). The report gives no coefficients. Here $B_3 = B_1$ and $B_4 = B_2$, and strong and weak shocks
+are resisted as by the other viscosities: $B_1^2 = 2 c_2$, $B_2 = c_1$, with the coefficients of the deck.
 
-The deviators follow the axes of the frame: the same rate of pure shear is resisted twice as much at 45 degrees to them as along them, and
-a frame that turns changes the run. There is no limiter. Where the deviators are cut off their work need not be positive.
+The deviators are not frame invariant: the same rate of pure shear is resisted twice as strongly at 45 degrees to the axes as along them,
+and a rotation of the frame changes the run. There is no limiter. Where the deviators are cut off, their work need not be positive.
 
 Source: Herrmann, WL-TR-64-107, equations B.19 and B.20.
 """

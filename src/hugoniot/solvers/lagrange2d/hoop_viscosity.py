@@ -1,10 +1,10 @@
-r"""What resists the closing around the axis, area weighted.
+r"""Viscous hoop stress of the area-weighted scheme, which resists closing around the axis.
 
-Of the two principal directions of the viscous stress in the plane it is the one whose rate is nearest to the hoop rate. In spherical flow
-that is the tangential one, so that both tangential directions are resisted alike, and the curved terms of the viscous stress are radial;
-in a shock that runs along the axis or toward it, it is the direction along the front, which nothing resists.
+It follows the in-plane principal direction whose rate is closest to the hoop rate. In spherical flow
+this is the tangential direction, so that both tangential directions are resisted alike, and the curvature terms of the viscous stress are
+radial. In a shock that runs along the axis or towards it, it is the direction along the front, in which there is no viscosity.
 
-With the parts $q_d$ and $D_d$ of stress and rates beside their means $\bar q$, $\bar d$, and $s = |D_d|$, the stress is
+With the deviations $q_d$ and $D_d$ of stress and rates from their means $\bar q$, $\bar d$, and $s = |D_d|$, the stress is
 $\bar q + \beta |q_d|$, $\beta = 2 (q_d : D_d)(d_\theta - \bar d) / (s^2 |q_d|)$ between -1 and 1. Its sign does not depend on
 which of the two rates is the larger, so that nothing is decided by round-off where they cross.
 """

@@ -1,6 +1,6 @@
-r"""Forces against hourglass motion, which no mean gradient sees; their work is part of the energy a zone gains.
+r"""Forces against hourglass motion, which does not affect the mean gradient; their work is part of the energy that a zone gains.
 
-* `subzonal` (fluids): the mass of a zone's quarter at a corner stays, so its density follows its area
+* `subzonal` (fluids): the mass of the quarter of a zone at a corner is constant, so its density follows its area
   $A_k = A/8 + T_k/4$ ($T_k$ the corner's triangle); $\delta p_k = m\,\rho c^2 (\varphi_{k0}/\varphi_k - 1)$, $\varphi_k = A_k/A$, acts on
   the quarter's surface. Zero in every linear motion. Caramana & Shashkov, J. Comput. Phys. 142 (1998) 521.
 * `viscous` (solids): $f_k = -\kappa\,\tfrac14\rho c\sqrt A\,\gamma_k (\gamma\cdot u)$, with $\gamma$ the hourglass vector made

@@ -1,5 +1,5 @@
-"""Velocity jumps of a zone in one and in two directions: how smooth they are, what is left of them in the middle of a step, what they ask
-of the time step. Functions of two directions need one division for both."""
+"""Velocity jumps of a zone in one and in two directions: their smoothness, their value in the middle of a step, and their effect
+on the time step. Functions of two directions need one division for both."""
 
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
@@ -15,7 +15,7 @@ def kept(psi, before, now):
 
 
 def counted(w, du, other, c):
-    """What a jump du <= 0 with the viscous speed w asks of the time step, beside the size `other` of that of the other direction."""
+    """What a jump du <= 0 with the viscous speed w requires of the time step, beside the size `other` of that of the other direction."""
     return w * fmin(1.0, -du / (SLIGHT * other + FAINT * c + SMALL))
 
 
@@ -29,7 +29,7 @@ def both_kept(part1, whole1, before1, now1, part2, whole2, before2, now2):
 
 
 def both_at_middle(du1, q1, w1, length1, du2, q2, w2, length2, a):
-    """`zones.viscosity.at_middle` of two jumps that close, q1 and q2 of the step before, along the lengths of both directions. One division
+    """`zones.viscosity.at_middle` of two closing jumps, q1 and q2 of the previous step, along the lengths of both directions. One division
     does for both."""
     over1, over2 = length1 + a.gives * a.rho * w1 + SMALL, length2 + a.gives * a.rho * w2 + SMALL
     inverse = 1.0 / (over1 * over2)

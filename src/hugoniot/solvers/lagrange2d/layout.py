@@ -1,8 +1,8 @@
-"""Where things stand in the solver's arrays: rows of the node, zone and scratch tables, columns of the piece table, control slots, codes.
+"""Layout of the solver's arrays: rows of the node, zone and scratch tables, columns of the piece table, control slots, codes.
 
-Nodes of all blocks lie side by side in one table, block by block, row by row (the second logical direction fastest); zones likewise.
+The nodes of all blocks are stored in one table, block by block, row by row (the second logical direction fastest); zones likewise.
 Zone (i, j) of a block has the corners 0 (i, j), 1 (i+1, j), 2 (i+1, j+1), 3 (i, j+1), counter-clockwise; of triangles this is a cell,
-divided as `mesh.triangles` says, in whose rows the lower triangles stand before the upper ones. In axisymmetric flow x is the
+divided as described in `mesh.triangles`, in whose rows the lower triangles precede the upper ones. In axisymmetric flow x is the
 radius and y the axial coordinate, and everything is per radian; otherwise per metre of depth.
 """
 

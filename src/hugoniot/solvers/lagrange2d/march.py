@@ -4,14 +4,14 @@
  2. nodes: drift to the middle of the step by the velocities at its start
  3. zones: stress, viscosity and filters in the middle; their forces
  4. nodes: kick by those forces; mean velocity, motion to the end of the step
- 5. a zone tangled, or robbed of a third of its area? back to 2 with half the step
+ 5. if a zone is tangled or has lost a third of its area: back to 2 with half the step
  6. zones: energy by the work of the forces that moved the nodes, state at the end, signal rate
 
-Steps 2 to 6 are taken band by band (`bands`). Where a band is not the whole mesh, the rows before a zone that is tangled have been led on:
-the march returns, and the step is taken again from a copy (`rewind`).
+Items 2 to 6 are done band by band (`bands`). If a band is not the whole mesh, the rows before a tangled zone have already been advanced:
+the march returns, and the step is repeated from a copy (`rewind`).
 
-A march returns when its cycles are done, an event time is reached, a gauge is due or a state is bad; the codes are in `layout`. Threads
-share rows of zones and of nodes (`plan`); boundaries, blocks' shared nodes and the choice of the step are the leader's alone.
+A march returns when its cycles are done, an event time is reached, a gauge is due or a state is invalid; the codes are in `layout`. Threads
+share rows of zones and of nodes (`plan`); the leader alone handles boundaries, shared nodes of blocks and the choice of the step.
 """
 
 from typing import Any, NamedTuple
@@ -84,7 +84,7 @@ class Run(NamedTuple):
 
 
 class Options(NamedTuple):
-    """Geometry (codes of `quads`), radius that stands for the axis, body force per mass."""
+    """Geometry (codes of `quads`), radius used for the axis, body force per mass."""
 
     kind: int
     near: float
@@ -133,7 +133,7 @@ def hold_specials(run, options, time, dt, span):
 
 @nb.njit(**BY_ADDRESS)
 def hold_drift(run, time, last, top):
-    """Give the velocities led on to the middle of the step what holds their nodes: a driven edge whose velocity jumps does not go on so."""
+    """Apply the constraints to velocities extrapolated to the middle of the step; a velocity jump of a driven edge is not extrapolated."""
     a, b = between(run.before, bands.HELD, last, top, bands.NOW, run.held.shape[0])
     held, normals = run.held[a:b], run.held_normals[a:b]
     special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, time, False)
@@ -285,7 +285,7 @@ def march(cycles, run, plan, options, control, counters):
 
 @nb.njit(**GUARD)
 def hold_at_start(run):
-    """Velocities of held nodes at t = 0: nothing is booked."""
+    """Velocities of held nodes at t = 0: nothing is recorded."""
     n = rows(L.Nodes, run.nodes, 0)
     for k in range(run.nodes.shape[1]):
         n.um[k], n.vm[k] = n.u[k], n.v[k]

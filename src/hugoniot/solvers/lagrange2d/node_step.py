@@ -1,6 +1,6 @@
-"""Rows of nodes in a step: forces gathered from their zones, motion; and what it has done to the zones between them.
+"""Rows of nodes in a step: forces gathered from their zones, motion, and its effect on the zones between them.
 
-The nodes of a block move by their own zones' forces first. Then the special ones are done again (`special_nodes`).
+The nodes of a block are first moved by the forces of their own zones; special nodes are then recomputed (`special_nodes`).
 """
 
 from typing import Any, NamedTuple
@@ -57,7 +57,7 @@ class MeanOf(NamedTuple):
 
 
 class DriftOf(NamedTuple):
-    """Motion at the start, half of the change of velocity in the step before -> velocity and position in the middle of the step."""
+    """Motion at the start, half of the change of velocity in the previous step -> velocity and position in the middle of the step."""
 
     x: Any
     y: Any
@@ -130,7 +130,7 @@ for _function in (gather_of_quads, gather_of_triangles, start_of, end_of):
 
 @zone_pass(DriftOf)
 def drift(count, n, dt, numbers, law):
-    """To the middle of the step: positions by the velocities at its start, and those led on by the acceleration of the step before.
+    """To the middle of the step: positions by the velocities at its start, and those extrapolated by the acceleration of the previous step.
 
     dt is half the step, numbers[0] its ratio to the one before.
     """

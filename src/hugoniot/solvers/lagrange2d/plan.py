@@ -1,6 +1,6 @@
-"""The plan of a march: for each command of the step the lists of passes that carry it out, and the rows of zones or nodes they take.
+"""The plan of a march: for each command of the step, the lists of passes that carry it out and the rows of zones or nodes.
 
-Lists are written once for a run, one for each material and member of the team, whose scratch they use; `commands` carries them out.
+Lists are made once per run, one for each material and member of the team, whose scratch memory they use; `commands` executes them.
 """
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""Where the rows stand that the lists of passes work on: rows of zones and of nodes of a block, scratch, what the passes find."""
+"""Locations of the rows that the lists of passes use: rows of zones and of nodes of a block, scratch, and results of the passes."""
 
 from typing import Any, NamedTuple
 

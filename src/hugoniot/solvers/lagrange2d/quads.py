@@ -1,20 +1,20 @@
 r"""Geometry of quadrilaterals: volume, gradient coefficients and strain rates; forces are their transpose.
 
-A mean gradient over a zone of volume $V$ is $D_{xx} = \sum_k b_{kx} u_k / V$ and so on, the hoop rate $\sum_k h_k u_k / V$. Stress
-puts the power $V \sigma : D$ into a zone, so that a corner feels $F_{kx} = -(b_{kx}\sigma_{xx} + b_{ky}\sigma_{xy} + h_k\sigma_\theta)$,
+The mean gradient over a zone of volume $V$ is $D_{xx} = \sum_k b_{kx} u_k / V$ and so on, the hoop rate $\sum_k h_k u_k / V$. The power of
+the stress on a zone is $V \sigma : D$, so the force on a corner is $F_{kx} = -(b_{kx}\sigma_{xx} + b_{ky}\sigma_{xy} + h_k\sigma_\theta)$,
 $F_{ky} = -(b_{kx}\sigma_{xy} + b_{ky}\sigma_{yy})$ (virtual work). The coefficients are
 
 * planar: the area's derivatives $a_k = \partial A/\partial x_k$; no hoop.
 * true volume (per radian, x the radius): means over the true volume with bilinear velocities, $b_{kx} = \int \partial_x N_k\,x\,dA$,
   $b_{ky} = \int \partial_y N_k\,x\,dA = \partial V/\partial y_k$, $h_k = \int N_k\,dA = (A + T_k)/6$ with the corner's triangle $T_k$;
-  $b_{kx} + h_k = \partial V/\partial x_k$, so pressure does exactly p dV, and the axial momentum is kept.
+  $b_{kx} + h_k = \partial V/\partial x_k$, so the work of the pressure is exactly p dV, and the axial momentum is conserved.
 * area weighted: the planar force times the corner's radius, with $h_k = A_k r_k/\bar r$, $A_k$ a quarter-like share of the area and
   $\bar r$ the mean radius of the corners: $b_{kx} = r_k a_{kx} - h_k$, $b_{ky} = r_k a_{ky}$. Divided by the constant node mass this is
-  the planar acceleration with the terms $(s_{rr} - s_{\theta\theta})/r$ and $s_{rz}/r$ of the curved equations. Since these act as the
-  zone's own $1/\bar r$ times the weight of the corner, they are radial in spherical flow on equal angles as the planar force is:
-  symmetry is kept with viscosity and strength. Pressure does p dV to second order.
+  the planar acceleration plus the terms $(s_{rr} - s_{\theta\theta})/r$ and $s_{rz}/r$ due to curvature. Each zone contributes these with
+  its own $1/\bar r$ times the weight of the corner, so that in spherical flow on equal angles they are radial, like the planar force:
+  symmetry is preserved with viscosity and strength. The work of the pressure is p dV to second order.
 
-The first argument of the functions is a `Quad`, the last one the geometry, by whose class kernels choose.
+The first argument of the functions is a `Quad`, the last one the geometry, whose class selects the scheme in kernels.
 Caramana, Burton, Shashkov & Whalen, J. Comput. Phys. 146 (1998) 227; Caramana & Whalen, J. Comput. Phys. 141 (1998) 174.
 """
 
@@ -132,7 +132,7 @@ def true_volume(q, geometry):
 
 # -- coefficients ---------------------------------------------------------------------------------------------------------------
 def coefficients(q, near, geometry):
-    """`Coefficients` of a zone; near: the radius that stands for the axis."""
+    """`Coefficients` of a zone; near: the radius used for the axis."""
     return (plane_coefficients, volume_coefficients, area_coefficients)[int(geometry.code)](q, near, geometry)
 
 

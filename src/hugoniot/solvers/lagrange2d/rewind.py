@@ -1,11 +1,11 @@
-"""A step that leaves the range of a law is taken again, smaller, before the run is given up.
+"""A step that leaves the range of a law is repeated with a smaller step before the run is given up.
 
-That a step has left the range of a law is seen at its end, when the state before it is gone. So a copy of the state is kept, at most
-`KEPT_FOR` steps old, and the march goes on from there to the step in question: by the rule of checkpoints, in the same bits. What is done
-depends on the state alone, not on when the copy was made, so that a run that is resumed repeats the same steps.
+Whether a step has left the range of a law is known only at its end, when the state before it is gone. A copy of the state, at most
+`KEPT_FOR` steps old, is therefore kept, and the march is repeated from there to the step in question, bit for bit as after a checkpoint.
+The result depends on the state alone, not on when the copy was made, so a resumed run repeats the same steps.
 
-The same copy serves where a zone is tangled in a step that is taken band by band, whose first rows have been led on. The march then goes
-on for `WHOLE_FOR` steps with the whole mesh as one band, where such a step is repeated smaller at once.
+The same copy is used if a zone tangles in a step that is taken band by band, after the first rows have been advanced. The march then
+continues for `WHOLE_FOR` steps with the whole mesh as one band, where such a step can be repeated directly.
 """
 
 from typing import Any, NamedTuple
@@ -85,7 +85,7 @@ class Rewind:
         return min(end, self.marches[0][0] + KEPT_FOR, self.whole_until if whole else end)
 
     def finish(self, solver, stop) -> None:
-        """Stand before a step some of whose bands have been led on; stop(cycle) marches on to a cycle."""
+        """Stand before a step some of whose bands have been advanced; stop(cycle) marches on to a cycle."""
         cycle, until = solver.cycle, float(solver.control[L.EVENT_TIME])
         self._stand_before(solver, cycle, stop)
         solver.control[L.EVENT_TIME] = until

@@ -1,8 +1,8 @@
-"""Rows that only the step at hand needs, kept in a few lines that stay in cache.
+"""Rows that only the current step needs, kept in a few lines that stay in cache.
 
-Corner forces, nodes in the middle of a step and velocity gradients of a band of rows take the place of those of an earlier band, which are
-no longer needed: a line of such a table, one for each row of the mesh, moves to the front of the table. The lists of passes follow by
-their origins, and what names single nodes and cells by tables of places. No bit depends on it.
+Corner forces, nodes in the middle of a step and velocity gradients of a band of rows overwrite those of an earlier band, which are
+no longer needed: the line for a row of the mesh is stored at the front of the table. The lists of passes account for this by
+their origins, and references to single nodes and cells by tables of positions. Results do not depend on it.
 """
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""Rows of zones and of nodes of the blocks, where they stand in the tables, and the cells around the blocks."""
+"""Rows of zones and of nodes of the blocks, their positions in the tables, and the ghost cells around the blocks."""
 
 import numpy as np
 

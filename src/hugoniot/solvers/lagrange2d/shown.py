@@ -1,6 +1,6 @@
-"""Fields of zones that no other step needs: they are not kept from step to step, but found where someone looks at a state.
+"""Fields of zones that the march does not need: they are not stored in every step but computed when a state is requested.
 
-Where the march itself looks at zones (transmitting edges) they are kept as all others are.
+Where the march itself needs them (transmitting edges) they are stored like all others.
 """
 
 from typing import Any, NamedTuple

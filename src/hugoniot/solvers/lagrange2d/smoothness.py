@@ -1,14 +1,14 @@
-r"""How smooth the velocity field is in each zone, along its two logical directions: what the limiter of a viscosity looks at.
+r"""Smoothness of the velocity field in each zone along its two logical directions, used by the limiter of a viscosity.
 
 With $g$ the velocity difference across a zone per length, a vector, and $g_l$, $g_r$ those of the neighbours on either side,
 
 $$\psi = \max(0, \min(1, \tfrac12(r_l + r_r), 2 r_l, 2 r_r)),\qquad r = g_{l,r}\cdot g / g^2 :$$
 
-1 in a linear field, 0 at a shock or an extremum, and where there is nothing but round-off to compare. Vectors are compared, not
-components, so that turning the frame changes nothing. Beyond a joint stand the zones of the other block, behind a wall the mirror image;
-at other edges of a block the field goes on as inside.
+which is 1 in a linear field and 0 at a shock or an extremum, or where the differences are only round-off. Vectors are compared, not
+components, so that a rotation of the frame changes nothing. Beyond a joint are the zones of the other block, behind a wall the mirror
+image; at other edges of a block the field is continued from inside.
 
-The vectors stand in a table with a line of cells around each block, which `fill_ghosts` fills.
+The vectors are stored in a table with a layer of ghost cells around each block, which `fill_ghosts` fills.
 
 Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70, equations 10 to 14.
 """

@@ -1,6 +1,6 @@
-"""The two-dimensional Lagrangian solver: owns the arrays, marches them, hands out states and budgets.
+"""The two-dimensional Lagrangian solver: owns the arrays, advances them, and provides states and budgets.
 
-Knows a problem's numbers and laws; never files, decks or plots. The words are those of `solvers.lagrange1d.solver`.
+It uses the numbers and laws of a problem, never files, decks or plots. The terms are those of `solvers.lagrange1d.solver`.
 """
 
 import numpy as np
@@ -167,7 +167,7 @@ class Lagrange2D(Shown, NothingToAdd):
     def march(self, until: float, cycles: int) -> list[Event]:
         """Step until the time `until` (hit exactly) or `cycles` steps; gauges are read on the way.
 
-        A step after which a law is asked for a state outside its range is repeated smaller: the events returned.
+        A step that would leave the range of a law is repeated with a smaller step; the events returned report this.
         """
         if until <= self.time:
             return []
@@ -184,7 +184,7 @@ class Lagrange2D(Shown, NothingToAdd):
         return events
 
     def _march_to(self, end: int, events: list) -> int:
-        """March to the cycle `end` or the event time; steps that leave the range of a law are taken again, and become events."""
+        """March to the cycle `end` or the event time; steps that leave the range of a law are repeated and reported as events."""
         with at_work(self.team, serve, self.plan):
             while (code := self._carry_on(end, self._read_gauges)) == L.BAD_STATE:
                 fault = post_mortem.diagnose(self, code)
@@ -249,15 +249,15 @@ class Lagrange2D(Shown, NothingToAdd):
         return accounts.errors(self)
 
     def exchanges(self) -> dict[str, float]:
-        """Work (J) and impulse (kg m/s) of every chain of boundary edges so far and, where something burns, the heat set free (J)."""
+        """Work (J) and impulse (kg m/s) of every chain of boundary edges so far and, where something burns, the heat released (J)."""
         return accounts.exchanges(self)
 
     def largest_velocity_jump(self) -> dict[str, float]:
-        """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
+        """Material -> largest particle velocity of a shock in it, from its peak pressure on the Rayleigh line, m/s."""
         return accounts.largest_velocity_jump(self.problem, self.zones)
 
     def warnings(self) -> list[str]:
-        """Sentences about rates of burning that the mesh did not resolve, and about explosives stretched beyond what they can carry."""
+        """Sentences about rates of burning that the mesh did not resolve, and about explosives in tension beyond what they can support."""
         return accounts.doubts(self)
 
     def notes(self) -> list[tuple[str, str]]:

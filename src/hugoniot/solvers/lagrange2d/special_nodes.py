@@ -1,8 +1,8 @@
 """Nodes on boundaries, shared by blocks or on the axis, which something besides their own zones acts on.
 
-Loads on edges are added to the forces of their nodes, the forces of nodes that several blocks share are summed in a fixed order and given
-to each, and what holds a node (walls, axis, driven edges) takes its part of the velocity away. Its impulse and its work are booked for the
-chain it belongs to. `middle` says where what a node has in the middle of the step stands in its rows (`rings`).
+Loads on edges are added to the forces of their nodes. The forces on nodes shared by several blocks are summed in a fixed order and given
+to each. Constraints (walls, axis, driven edges) remove the constrained component of the velocity; their impulse and work are recorded for
+the chain of edges. `middle` gives the position of a node's mid-step values in the rows (`rings`).
 """
 
 import numba as nb

@@ -1,13 +1,13 @@
-r"""Stress of a zone in the plane: what the forces see, the elastic trial with its rotation, the return to the yield surface.
+r"""Stress of a zone in two dimensions: the total stress, the elastic trial with its rotation, the return to the yield surface.
 
-Deviators are $s_{xx}, s_{yy}, s_{xy}$ and $s_\theta = -(s_{xx} + s_{yy})$. The Jaumann rate is solved by Crank-Nicolson: with
-$D = s_{xx} - s_{yy}$, $S = 2 s_{xy}$ and a turn of angle $\vartheta$ in the step, $a = \tan\vartheta$,
+Deviators are $s_{xx}, s_{yy}, s_{xy}$ and $s_\theta = -(s_{xx} + s_{yy})$. The Jaumann rate is integrated by Crank-Nicolson: with
+$D = s_{xx} - s_{yy}$, $S = 2 s_{xy}$ and a rotation by the angle $\vartheta$ in the step, $a = \tan\vartheta$,
 
 $$D' = \frac{(1-a^2)D - 2aS + dD - a\,dS}{1+a^2},\qquad S' = \frac{(1-a^2)S + 2aD + dS + a\,dD}{1+a^2},$$
 
-which keeps $D^2 + S^2$ in a rigid turn (Herrmann's lost equations B.26, B.29; H-E9). In a rigid turn nodes drift along their tangents and
-move along chords: where they are half-way, the spin is $w\,dt = \sin\vartheta$, and $a = w\,dt/\sqrt{1 - (w\,dt)^2}$
-turns the stress by the very angle of the zone.
+which conserves $D^2 + S^2$ in a rigid rotation (Herrmann's illegible equations B.26, B.29; H-E9). In a rigid rotation nodes drift along
+their tangents and move along chords. In the middle of the step the spin is $w\,dt = \sin\vartheta$, and $a = w\,dt/\sqrt{1 - (w\,dt)^2}$
+rotates the stress by the same angle as the zone.
 
 Source: Herrmann, WL-TR-64-107, B.16 to B.32.
 """

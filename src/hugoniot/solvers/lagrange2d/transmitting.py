@@ -1,9 +1,9 @@
-"""Transmitting edges: material beyond them that goes on as inside, by the equations of `lagrange1d.transmitting`.
+"""Transmitting edges: the material is assumed to continue beyond them unchanged, by the equations of `lagrange1d.transmitting`.
 
-Every edge of such a chain is an end: the zones of its row from it inward give the impedance of the path that the material takes, with the
-stress and the viscosity along the edge's normal, and the stress outside follows the normal velocity of the edge. Along itself an edge is
-free. Beyond it the limiter of the viscosity finds the velocity gradient that the last zone had before. In axisymmetric flow what runs out
-along the radius falls as a cylindrical wave does.
+Every edge of such a chain is an end: the zones of its row give the impedance of the path that the material follows, with the
+stress and the viscosity along the edge's normal, and the stress outside follows the normal velocity of the edge. Tangentially the edge is
+free. Beyond it the limiter of the viscosity uses the previous velocity gradient of the last zone. In axisymmetric flow a wave leaving along
+the radius decays as a cylindrical wave.
 """
 
 import numba as nb

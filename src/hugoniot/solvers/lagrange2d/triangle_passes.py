@@ -1,6 +1,6 @@
-"""Passes of triangles: those of `zone_passes` over three corners instead of four, and what a cell of two triangles needs besides.
+"""Passes of triangles: those of `zone_passes` over three corners instead of four, and further ones for a cell of two triangles.
 
-Both triangles of a cell are worked on together, rows of lower ones and rows of upper ones (`mesh.triangles`). The corners a and b are
+The two triangles of a cell are processed together, in rows of lower and rows of upper triangles (`mesh.triangles`). The corners a and b are
 nodes of one row of nodes each; which node is c depends on the diagonal, so it is gathered first (`gather_thirds`).
 """
 
@@ -82,7 +82,7 @@ def gather_thirds(count, z, dt, numbers, law):
 
 @zone_pass(RestOf)
 def add_rest(count, z, dt, numbers, law):
-    """Planar forces added with the weights of the geometry; numbers: the radius that stands for the axis."""
+    """Planar forces added with the weights of the geometry; numbers: the radius used for the axis."""
     rows_apart()
     geometry, f, g = kind_of(law), z.f, z.g
     for j in range(count):

@@ -1,9 +1,9 @@
-"""What the triangles of a material do in a step, written into lists of passes: both triangles of each cell side by side.
+"""The triangles of a material in a step, as lists of passes: both triangles of each cell together.
 
-The physics of a zone is that of `zone_step`. In materials with strength the two may share their pressure (`shared`): both then have the
-density of their cell and the mean of their pressures, whose work is divided between them by mass, and keep their own deviators. A
-triangle on its own is stiff in plastic flow: there are as many volumes to be kept as nodes to move. A cell with one pressure has one volume
-to keep. Marti & Cundall, Int. J. Numer. Anal. Methods Geomech. 6 (1982) 129.
+The physics of a zone is that of `zone_step`. In materials with strength the two triangles may share their pressure (`shared`): both then
+have the density of their cell and the mean of their pressures, whose work is divided between them by mass, but keep their own deviators.
+Separate triangles are too stiff in plastic flow, with as many volume constraints as nodes; a cell with one pressure has one constraint.
+Marti & Cundall, Int. J. Numer. Anal. Methods Geomech. 6 (1982) 129.
 """
 
 from typing import Any, NamedTuple
@@ -176,7 +176,7 @@ class Cell:
 
     # -- area weighted -------------------------------------------------------------------------------------------------------
     def _keep_stress(self) -> None:
-        """Keep what the division of the work of the forces asks for at the end of the step."""
+        """Keep what the division of the work of the forces needs at the end of the step."""
         for part, s in zip(self.pair, self.steps):
             own, at = part.own, part.at
             if self.shared or isinstance(self.geometry, AreaWeighted):

@@ -1,14 +1,14 @@
 r"""Viscosity of triangles: `tensor`, `edge` and `herrmann` as they are for quadrilaterals, with one velocity gradient a zone.
 
-* `tensor`: the stress of a corner (`viscosity`) with the gradient of the triangle. The logical directions are the two sides that are no
-  diagonal, one along i, one along j; lengths along principal directions follow from them, so that in a rectangle divided by its diagonal
-  a plane shock along either direction has the width it has without the diagonal. One stress acts in the whole triangle: there is no rest.
-* `edge`: the two sides that are no diagonal resist; between their middles and the middle of the diagonal, the centre of the cell, stand
-  the segments. Their velocity differences hold the whole gradient. A diagonal that resisted too would push nodes beside a wall that a
-  plane shock along it passes, since such nodes have diagonals on one side only.
+* `tensor`: the stress of a corner (`viscosity`) with the gradient of the triangle. The logical directions are the two sides that are not
+  the diagonal, one along i, one along j. Lengths along principal directions follow from them, so that in a rectangle divided by its
+  diagonal a plane shock along either direction has the same width as without the diagonal. The stress is uniform in the triangle.
+* `edge`: the two sides that are not the diagonal resist; the segments run from their middles to the middle of the diagonal, which is the
+  centre of the cell. Their velocity differences determine the whole gradient. A resisting diagonal would push nodes beside a wall along
+  which a plane shock runs, since such nodes have diagonals on one side only.
 * `herrmann`: the extents of the triangle, and for the bulk part the area of the parallelogram of which it is half.
 
-Smoothness is that of the cell (`smoothness`), which both of its triangles share.
+The smoothness is that of the cell (`smoothness`), shared by both of its triangles.
 """
 
 from typing import Any, NamedTuple

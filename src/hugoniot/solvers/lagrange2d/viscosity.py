@@ -1,4 +1,4 @@
-r"""Tensor viscosity in the four corners of a zone: each principal direction of closing resisted with its own length.
+r"""Tensor viscosity in the four corners of a zone: each principal direction that closes is resisted with its own length.
 
 In a corner with the edges $e_1$ (to the next corner) and $e_2$ (to the one before) the velocity gradient is that of the triangle they
 span. Its symmetric part has the principal rates $\lambda_{1,2} = \bar d \mp R$ along $n_{1,2}$. The velocity jump along $n$ is
@@ -7,28 +7,29 @@ $\ell^2 = (n\cdot e_\xi)^2 + (n\cdot e_\eta)^2$, and
 
 $$Q = \rho \sum_{\lambda_k < 0} |\Delta u_k|\,w(\Delta u_k, \psi_k)\; n_k \otimes n_k ,$$
 
-w the viscous speed of the law `limited`. In solids its linear coefficient is that of shocks as far as the zone shrinks, and a smaller one
-where it flows at constant volume (`coefficients`). psi is the mean of those of the two logical directions (`smoothness`), weighted by
-their parts of $\ell^2$ and of the square of the velocity gradient, so that a direction along which nothing changes has no say.
+with w the viscous speed of the law `limited`. In solids its linear coefficient is that of shocks where the zone shrinks, and a smaller one
+where it flows at constant volume (`coefficients`). psi is the mean of the values for the two logical directions (`smoothness`), weighted by
+their contributions to $\ell^2$ and to the square of the velocity gradient, so that a direction without any change has no weight.
 
-The stress is a continuous function of the rates, and nothing is decided by round-off:
+The stress is a continuous function of the rates, and no result depends on round-off:
 
-* Where the two rates are equal, as in flow that converges from all sides, the directions are anyone's. Lengths and weights turn
-  continuously into the mean of both, with the factor $\min(1, R/|\bar d|)$.
-* A direction that opened at the start of the step is no smooth flow: its psi is 0, as in one dimension. Between, where it closed at less
-  than `STEADY` of the rate now, psi falls in proportion.
-* A jump counts for the time step in proportion, where it is faint beside the sound speed or the motion along the other direction.
+* Where the two rates are equal, as in flow that converges from all sides, the principal directions are undefined. Lengths and weights then
+  change continuously to the mean of both, with the factor $\min(1, R/|\bar d|)$.
+* A direction that opened at the start of the step is not in smooth flow: its psi is 0, as in one dimension. If it closed at less
+  than `STEADY` of its present rate, psi falls in proportion.
+* A jump that is weak relative to the sound speed or to the motion along the other direction counts for the time step only in proportion.
 
-A principal direction that turns a little in a slender zone makes shear stress of the long direction's viscosity across the short edges,
-which an explicit step does not bear. Where the longer mean edge is 4 times the height above it, wholly from 8 times on, be the zone slender
-or sheared flat, the closing along the mean edges is resisted instead, $Q = \sum q\,t\otimes t$ with the unit edges t, which has no shear.
+In a slender zone a small rotation of a principal direction turns the viscosity along the zone into shear stress across the short edges,
+too stiff for an explicit step. If the longer mean edge is more than 4 times the height above it (in a zone that is slender or sheared
+flat), the closing along the mean edges is increasingly resisted instead, completely from 8 times on: $Q = \sum q\,t\otimes t$ with the unit
+edges t, which has no shear.
 
-The triangle of a corner that opens to a straight angle vanishes, and its gradient would grow beyond all bounds. The gradient is taken over
-a quarter of the zone's area at least: the force still opposes the very motion it is transposed from, so that its work stays positive,
-even where a corner points inward.
+As a corner opens to a straight angle, the area of its triangle vanishes and its gradient would grow without bound. The gradient is
+therefore taken over at least a quarter of the area of the zone. The force, its transpose, still opposes the motion, so that its work stays
+positive, also in a re-entrant corner.
 
 The force is the transpose of the corner's gradient: $+\tfrac14 Q (e_{2y}, -e_{2x})$ on the next corner, and so on. The mean of Q over the
-zone goes with the stress, so that it keeps axial momentum; what the corners have besides acts with the weights of `layout.Shape`.
+zone is added to the stress, so that it conserves axial momentum; the rest acts with the weights of `layout.Shape`.
 
 Campbell & Shashkov, J. Comput. Phys. 172 (2001) 739; Kolev & Rieben, J. Comput. Phys. 228 (2009) 8336.
 """
@@ -85,7 +86,7 @@ class Metric(NamedTuple):
 
 class Around(NamedTuple):
     """Of a zone: smoothness along both logical directions; strain rates at the start of the step (mean and half difference of the
-    diagonal, shear); volume, sound speed, pressure, density of the solid; viscous stress of the step before (mean and half difference of
+    diagonal, shear); volume, sound speed, pressure, density of the solid; viscous stress of the previous step (mean and half difference of
     the diagonal, shear), and the velocity times length that a pascal of it gives (`zones.viscosity.at_middle`)."""
 
     xi: float
@@ -117,7 +118,7 @@ def metric_of(q):
 
 
 def around(z, j, gives):
-    """`Around` of zone j whose mean viscous stress is still that of the step before; gives: m2 of `Around.gives` over the volume."""
+    """`Around` of zone j whose mean viscous stress is still that of the previous step; gives: m2 of `Around.gives` over the volume."""
     s, xx, yy, qxx, qyy, v = z.smooth, z.smooth.xx[j], z.smooth.yy[j], z.mean.xx[j], z.mean.yy[j], z.v[j]
     return Around(s.xi[j], s.eta[j], s.share[j], 0.5 * (xx + yy), 0.5 * (xx - yy), s.xy[j], v, z.c[j], z.p[j], z.rho[j],
                   0.5 * (qxx + qyy), 0.5 * (qxx - qyy), z.mean.xy[j], gives * v)
@@ -236,7 +237,7 @@ def in_slender(z, j, a, viscous):
 def resist(count, z, dt, numbers, law):
     """Viscous stress of the four corners of zones: its mean, and the planar forces of what each has beyond the mean.
 
-    Stretches of zones in which nothing closes are passed over.
+    Stretches of zones in which nothing closes are skipped.
     """
     rows_apart()
     viscous, first = law_of(law, numbers), 0

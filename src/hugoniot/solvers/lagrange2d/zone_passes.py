@@ -1,13 +1,13 @@
-"""Passes of zones in a step: motion to its middle and its end, energy by the work of forces, corner forces, the state that stands.
+"""Passes of zones in a step: motion to its middle and its end, energy by the work of forces, corner forces, and the final state.
 
     strain       motion to the middle: strain rates, density, energy by the stress at the start
     push_fluid, push_solid   corner forces of stress, viscosity and filters in the middle
     settle       motion to the end: strain rates, energy by the work of those forces
     shape        volume and smallest altitude at the end
-    stand        the state that stands: stress, sound speed
+    stand        the final state: stress, sound speed
     push         corner forces of stress and viscosity alone, of triangles in the middle
 
-Rows named for quadrilaterals serve triangles too (`triangle_passes`): `cells` chooses by the class of `corners`.
+Rows named for quadrilaterals are also used for triangles (`triangle_passes`): `cells` chooses by the class of `corners`.
 """
 
 from typing import Any, NamedTuple
@@ -126,7 +126,7 @@ def stress_power(z, j, d):
 
 @zone_pass(StrainOf)
 def strain(count, z, dt, numbers, law):
-    """Strain rates, density and energy in the middle of the step, by the velocities led on there and the stress at the start."""
+    """Strain rates, density and energy in the middle of the step, by the velocities extrapolated to it and the stress at the start."""
     rows_apart()
     geometry, near, half, bad = kind_of(law), numbers[NEAR], 0.5 * dt, 0.0
     for j in range(count):
@@ -223,7 +223,7 @@ def shape(count, z, dt, numbers, law):
 
 
 def rate_of_state(z, j, constants):
-    """Write the state of zone j that stands at the end of the step; what it asks of the time step, 1/s."""
+    """Write the state of zone j at the end of the step; what it requires of the time step, 1/s."""
     xx, yy, xy = z.new.xx[j], z.new.yy[j], z.new.xy[j]
     z.s.xx[j], z.s.yy[j], z.s.xy[j] = xx, yy, xy
     z.seen.sigma[j] = principal(z.seen.p[j], xx - z.q.xx[j], yy - z.q.yy[j], xy - z.q.xy[j])
@@ -234,7 +234,7 @@ def rate_of_state(z, j, constants):
 
 @zone_pass(StandOf, finite=False)
 def stand(count, z, dt, numbers, law):
-    """The state that stands at the end of the step, looked over at once."""
+    """The state at the end of the step, checked at once."""
     rows_apart()
     constants, seen = named(Constants, numbers), z.seen
     fastest, bad, new = seen.found[FOUND_RATE], 0, 0

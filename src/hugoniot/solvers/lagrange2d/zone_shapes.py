@@ -1,4 +1,4 @@
-"""Corners, areas, volumes and shares of the zones of a mesh as it stands: what nodes weigh and how wide zones are."""
+"""Corners, areas, volumes and corner shares of the zones of a mesh in its current position, for nodal masses and zone widths."""
 
 import numpy as np
 

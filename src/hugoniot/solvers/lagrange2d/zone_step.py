@@ -1,4 +1,4 @@
-"""What the zones of a material do in a step, written into lists of passes: stress and forces in its middle, the state at its end."""
+"""The zones of a material in a step, as lists of passes: stress and forces in the middle, and the state at the end."""
 
 from hugoniot.solvers.lagrange2d import edge_viscosity, heat_flux, herrmann_viscosity, hoop_viscosity, shown, tensor, viscosity
 from hugoniot.solvers.lagrange2d import zone_passes as passes

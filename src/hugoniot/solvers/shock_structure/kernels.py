@@ -5,17 +5,17 @@ Conservative finite volumes of one width h for $U = (\rho, \rho u, \rho e + \tfr
 $$\partial_t U + \partial_x F = 0,\qquad F = (\rho u,\ \rho u^2 + p - \tau,\ (E + p - \tau)u + q),\qquad
   \tau = (\tfrac43\mu + \zeta)\,u_x,\quad q = -kT_x .$$
 
-Inviscid part: fifth-order values at both sides of a face and the local Lax-Friedrichs flux, as far as the physical viscosity leaves it
-something to do. With s = |u| + c and the cell's acoustic diffusion number 2 nu/h, nu = (4/3 mu + zeta)/rho, the artificial speed is
+Inviscid part: fifth-order values on both sides of a face and the local Lax-Friedrichs flux, reduced by the dissipation that the physical
+viscosity provides. With s = |u| + c and the diffusion speed 2 nu/h of the cell, nu = (4/3 mu + zeta)/rho, the artificial speed is
 
 $$a = \max(s/10,\ s - 2\nu/h)$$
 
-(hybrid differencing: Spalding, Int. J. Numer. Meth. Eng. 4 (1972) 551): next to nothing for sound and shocks where the cell Reynolds
-number s h/nu is below two; the tenth couples odd and even cells. Entropy waves, which viscosity does not damp, keep at least |u|. The face
-values pass from the WENO-Z ones (Borges et al., J. Comput. Phys. 227 (2008) 3191) to the linear upwind ones as a falls, so that a resolved
-wave meets an all but linear scheme of fifth order.
-Viscous part: sixth-order gradients of the conserved averages, turned into those of u and T by the chain rule; the slope of T along
-(rho, e) is a central difference of the law's own temperature.
+(hybrid differencing: Spalding, Int. J. Numer. Meth. Eng. 4 (1972) 551). For sound and shocks it is small where the cell Reynolds
+number s h/nu is below two; the remaining tenth couples odd and even cells. For entropy waves, which viscosity does not damp, the speed is
+at least |u|. As a falls, the face values change from those of WENO-Z (Borges et al., J. Comput. Phys. 227 (2008) 3191) to linear upwind
+values, so that a resolved wave is computed by an almost linear scheme of fifth order. Viscous part: sixth-order gradients of the conserved
+averages, converted to those of u and T by the chain rule; the slopes of T with respect to (rho, e) are central differences of the law's own
+temperature.
 """
 
 import numba as nb

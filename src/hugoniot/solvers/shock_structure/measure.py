@@ -1,7 +1,7 @@
 r"""Thickness of a shock from cell averages.
 
-The running mass $M(x) = \int\rho\,dx$ is known exactly at the faces; a quintic spline through it has the density as its slope, so that the
-steepest gradient is found between the cells and to high order. (Jordan eq. 6.2.5 takes central differences at the cells: second order.)
+The cumulative mass $M(x) = \int\rho\,dx$ is known exactly at the faces. The slope of a quintic spline through it is the density, so the
+steepest gradient is found between cells and to high order. (Jordan eq. 6.2.5 uses central differences at the cells: second order.)
 """
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""From a problem to the grid, the laws, the cells and the ends of the viscous flow solver; what a fixed grid cannot do is refused."""
+"""Sets up grid, laws, cells and ends of the viscous flow solver from a problem; what a fixed grid cannot represent is refused."""
 
 import numpy as np
 

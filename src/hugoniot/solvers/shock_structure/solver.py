@@ -1,6 +1,6 @@
-"""The viscous flow solver: owns the arrays, marches them, hands out states, budgets and checkpoints.
+"""The viscous flow solver: owns the arrays, advances them, and provides states, budgets and checkpoints.
 
-Knows a problem's numbers and laws; never files, decks or plots. The grid stands still (Eulerian cells of one width).
+It uses the numbers and laws of a problem, never files, decks or plots. The grid is fixed (Eulerian cells of equal width).
 """
 
 import math

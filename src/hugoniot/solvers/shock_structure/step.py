@@ -5,18 +5,19 @@ Third-order Runge-Kutta (Shu and Osher, J. Comput. Phys. 77 (1988) 439) in the f
 $$U^{(1)} = U^n + \Delta t\,L(U^n),\quad U^{(2)} = U^n + \tfrac14\Delta t\,[L(U^n)+L(U^{(1)})],\quad
   U^{n+1} = U^n + \tfrac16\Delta t\,[L(U^n)+L(U^{(1)})+4L(U^{(2)})],$$
 
-so that mass, momentum and energy telescope to the two ends. The step, with a the largest signal speed and D the largest diffusivity:
+so that changes of mass, momentum and energy depend only on the fluxes at the two ends. The step, with a the largest signal speed and D the
+largest diffusivity:
 
 1. fill the cells beyond the ends; fluxes of the state; largest signal speed and diffusivity
 2. time step: courant / (a/h + D/(0.41 h^2)), cut to hit the event time exactly
 3. first stage, its fluxes
 4. second stage, its fluxes
-5. total flux; the new state is looked at before it is taken
-6. update the state; book what passed the ends
+5. total flux; the new state is checked before it is accepted
+6. update the state; record what passed the ends
 
-A step that meets a state that is none (density or c^2 not positive, not a number) is taken again, half as long and to low order, as are
-the next L.ROUGH_STEPS steps; only an unresolved strong jump at the start needs that. If halving does not help, the run stops with the
-state before the step in place.
+A step that leads to an invalid state (density or c^2 not positive, not a number) is repeated with half the length and at low order, as are
+the next L.ROUGH_STEPS steps; only an unresolved strong jump at the start needs this. If halving does not help, the run stops with the
+state before the step.
 """
 
 from typing import Any, NamedTuple
@@ -31,7 +32,7 @@ DIFFUSION_LIMIT = 0.41   # of D dt/h^2: below the third-order Runge-Kutta limit 
 
 
 class Cells(NamedTuple):
-    """The cells of a run and what is booked about them.
+    """The cells of a run and their balances.
 
     U, V                 conserved averages and those of a stage, (3, cells and ghosts)
     F0, F1               mean flux of the step, flux of a stage, (3, faces)

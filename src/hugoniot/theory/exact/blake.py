@@ -10,7 +10,7 @@ $\omega_0 = 2c_s/a$, $\omega^2 = \omega_0^2 - \alpha^2$, at rest at $\tau = 0$:
 
 $$f = -\frac{Pa^3}{4G}\left[1 - e^{-\alpha\tau}\left(\cos\omega\tau + \frac\alpha\omega\sin\omega\tau\right)\right]$$
 
-The front carries the stress $Pa/r$; behind it the solid comes to rest with $u = Pa^3/(4Gr^2)$, without a change of density.
+At the front the stress is $Pa/r$; behind it the solid comes to rest with $u = Pa^3/(4Gr^2)$, without a change of density.
 
 Source: Blake, J. Acoust. Soc. Am. 24 (1952) 211; Sharpe, Geophysics 7 (1942) 144; derived here.
 """
@@ -46,7 +46,7 @@ def blake(pressure: float = 1e6, radius: float = 0.1, density: float = 3000.0, b
 
     def profile(r, time):
         if (r < a * (1.0 - 1e-12)).any():
-            raise OutOfRange(f"the solid begins at the cavity's radius, {a:g} m")
+            raise OutOfRange(f"a position lies inside the cavity, whose radius is {a:g} m")
         tau = time - (r - a) / c
         behind = tau >= 0.0
         f, f1, f2 = (np.where(behind, values, 0.0) for values in potential(np.where(behind, tau, 0.0)))

@@ -3,8 +3,8 @@ r"""Coggeshall's adiabatic compression in two dimensions: density uniform, tempe
 $$u_r = -\frac{r}{1-t},\quad u_z = -\frac{b\,z}{1-t},\quad \rho = \rho_0(1-t)^{-(n+b)},\quad
 e = \frac{b(1-b)}{2(\gamma-1)}\frac{z^2}{(1-t)^2}, \qquad b = \frac{2 - n(\gamma-1)}{\gamma+1}$$
 
-with n = 2 for r an axisymmetric radius and n = 1 for a Cartesian coordinate. The momentum equation along z gives the factor of e,
-that along r is free of pressure, and $\dot e = -(p/\rho)\nabla\cdot u$ gives b. For n = 2, gamma = 5/3: b = 1/4, e = (3z/8)^2 at t = 0.
+with n = 2 if r is an axisymmetric radius and n = 1 if it is a Cartesian coordinate. The momentum equation along z gives the factor of e,
+that along r contains no pressure, and $\dot e = -(p/\rho)\nabla\cdot u$ gives b. For n = 2, gamma = 5/3: b = 1/4, e = (3z/8)^2 at t = 0.
 
 Source: Coggeshall, Phys. Fluids A 3 (1991) 757; general gamma re-derived here.
 """

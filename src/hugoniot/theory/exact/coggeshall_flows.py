@@ -1,6 +1,6 @@
 r"""Coggeshall's adiabatic flows in one dimension without shocks: every radius stays in proportion to the size of the body.
 
-With d = 1, 2, 3 for planar, cylindrical, spherical and any b (the slope of the density, or of the entropy), numbered as by Coggeshall:
+With d = 1, 2, 3 for planar, cylindrical, spherical geometry and any slope b of the density or of the entropy, numbered as in Coggeshall:
 
 * Problem 1, coasting: $u = r/t$, $\rho = \rho_0 r^bt^{-b-d}$, $e = e_0r^{-b}t^{b-(\gamma-1)d}$. The pressure is uniform and
   nothing accelerates.
@@ -14,10 +14,10 @@ With d = 1, 2, 3 for planar, cylindrical, spherical and any b (the slope of the 
   $P \propto \frac{\gamma-1}{(2\gamma-b)\tau^2}Y^{\gamma/(\gamma-1)}$, b < 2 gamma.
   For b = 0 it is Kidder's shell without inner pressure.
 
-Continuity, momentum and energy are satisfied identically (the tests differentiate them). Of the other problems that
-ExactPack has (all up to 21 except 15), 8 and 11 are 1, 9 is 2 and 18 is 6 at the slope for which a heat flux has no divergence;
-19 is `noh`, 20 and 21 are in `coggeshall_shocks`; 3, 4, 5 and 12 have gamma < 1 or a negative temperature, and
-10, 13, 14, 16 and 17 need heat conduction. `coggeshall` is a flow in two dimensions.
+Continuity, momentum and energy are satisfied identically (the tests differentiate the solutions). ExactPack has all problems up to 21
+except 15. Of the others, 8 and 11 are problem 1, 9 is problem 2 and 18 is problem 6, each for the slope at which a heat flux has no
+divergence; 19 is `noh`, 20 and 21 are in `coggeshall_shocks`; 3, 4, 5 and 12 have gamma < 1 or a negative temperature, and 10, 13, 14, 16
+and 17 need heat conduction. `coggeshall` is a flow in two dimensions.
 
 Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 1, 2, 6, 7; derived here for any slope.
 """

@@ -1,4 +1,4 @@
-r"""Coggeshall's adiabatic flows in which cold gas falls through a shock.
+r"""Coggeshall's adiabatic flows in which cold gas flows through a shock.
 
 With d = 1, 2, 3 for planar, cylindrical, spherical; both shocks are infinitely strong: the density rises by $(\gamma+1)/(\gamma-1)$.
 
@@ -11,7 +11,7 @@ $$r > r_s:\; \rho = \rho_0h^{-d}\left(1 + \frac{Ut}{r}\right)^{d-1},\; u = \frac
 For this gamma alone the transformation to $(r/h, t/h)$ leaves the equations of the gas unchanged;
 then $r_s/h$ is Noh's shock at the time $t/h$.
 
-**Problem 21.** Gas that falls in towards a time of collapse $\tau$ and stops behind an outgoing shock. With $T = 1 - t/\tau$ and the shock
+**Problem 21.** Gas flows inwards, with a time of collapse $\tau$, and stops behind an outgoing shock. With $T = 1 - t/\tau$ and the shock
 at $R = R_0T^{-(\gamma-1)/2}$
 
 $$r > R:\; \rho = \rho_0\left(\frac{r}{R_0}\right)^bT^{-b-d},\; u = -\frac{r}{\tau T},\; p = 0,\; b = -2 - \frac{2d}{\gamma+1}; \qquad
@@ -19,10 +19,12 @@ $$r > R:\; \rho = \rho_0\left(\frac{r}{R_0}\right)^bT^{-b-d},\; u = -\frac{r}{\t
   p = \frac{\gamma+1}{2}\rho_0\frac{R_0^2}{\tau^2}$$
 
 The gas behind is at rest under a uniform pressure: the strong shock gives $dR/dt = \tfrac12(\gamma-1)R/(\tau T)$, and this value of b
-keeps its pressure constant. Coggeshall has d = 3, gamma = 5, b = -3, and u = r/t with an ingoing shock: with t > 0 that is this flow run
-backwards, in which the entropy would fall at the shock. The mass around the centre is infinite unless 2 (gamma + 1)/(gamma - 1) < d.
+keeps its pressure constant. Coggeshall has d = 3, gamma = 5, b = -3, and u = r/t with an ingoing shock. With t > 0 that is the present flow
+reversed in time, in which the entropy would decrease across the shock. The mass around the centre is infinite unless
+2 (gamma + 1)/(gamma - 1) < d.
 
-Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 20 and 21; places of the shocks, and 21 for any gamma, from the jump conditions.
+Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 20 and 21; the positions of the shocks, and problem 21 for any gamma, follow from
+the jump conditions.
 """
 
 import numpy as np
@@ -58,7 +60,7 @@ def coggeshall_noh(geometry: str = "spherical", rate: float = 0.3, speed: float 
 
 def coggeshall_stopping(geometry: str = "spherical", gamma: float = 5.0, radius: float = 0.1, density: float = 1.0,
                         collapse_time: float = 1.0) -> Solution:
-    """Cold gas that falls in and stops behind an outgoing shock, with power laws of the density (Coggeshall).
+    """Cold inflowing gas that stops behind an outgoing shock, with power laws of the density (Coggeshall).
 
     radius: of the shock at time 0; density: ahead of it there. Fields: density, velocity, pressure, energy at r > 0.
     Numbers: slope (b of rho ~ r^b ahead), pressure behind the shock. Holds for time < collapse_time.

@@ -1,4 +1,4 @@
-r"""Smooth planar flow of a gamma = 3 gas: each Riemann invariant obeys Burgers' equation on its own.
+r"""Smooth planar flow of a gamma = 3 gas, in which each Riemann invariant satisfies Burgers' equation separately.
 
 For gamma = 3, $p = \tfrac13 K\rho^3$ gives $c = \sqrt K\,\rho$, and $w_\pm = u \pm c$ satisfy
 

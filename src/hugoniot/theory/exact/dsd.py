@@ -1,4 +1,4 @@
-r"""Detonation shock dynamics: fronts whose normal velocity falls linearly with their curvature, $D_n = D(1 - \alpha\kappa)$.
+r"""Detonation shock dynamics: fronts whose normal velocity decreases linearly with their curvature, $D_n = D(1 - \alpha\kappa)$.
 
 **Expanding front**, cylindrical (n = 1) or spherical (n = 2), $\kappa = n/r$: $\dot r = D(1 - n\alpha/r)$, hence
 
@@ -15,9 +15,9 @@ $\delta$ is found so that $\phi = \phi_e$ at the edge. For the slab both integra
 $$R = \frac\alpha\delta\left[\frac{2}{\sqrt{1-\delta^2}}\arctan\!\left(\sqrt{\frac{1+\delta}{1-\delta}}\tan\frac{\phi_e}2\right)
   - \phi_e\right], \qquad z = \frac\alpha\delta\ln\frac{1 - \delta\cos\phi}{1 - \delta}$$
 
-**Arc**: a front that turns steadily at the angular velocity $\Omega$ in a ring of explosive, $D_n = \Omega r\cos\psi$ with $\psi$ the
-tilt of the normal from the direction of rotation outwards, $\kappa = \cos\psi\,d\psi/dr + \sin\psi/r$ and the edge angles given at both
-radii; $\Omega$ follows from the second of them, and the lag behind a radius through the inner edge from $d\vartheta/dr = \tan\psi/r$.
+**Arc**: a front rotates steadily at the angular velocity $\Omega$ in a ring of explosive. $D_n = \Omega r\cos\psi$ with $\psi$ the
+outward tilt of the normal from the direction of rotation, and $\kappa = \cos\psi\,d\psi/dr + \sin\psi/r$. The edge angles are given at both
+radii; $\Omega$ follows from the second, and the lag behind a radius through the inner edge from $d\vartheta/dr = \tan\psi/r$.
 
 Source: Bdzil, J. Fluid Mech. 108 (1981) 195; Bdzil and Stewart, Phys. Fluids A 1 (1989) 1261; Short and Bdzil, J. Fluid Mech. 479 (2003)
 39; re-derived here.
@@ -47,7 +47,7 @@ def dsd_expansion(geometry: str = "cylindrical", detonation_velocity: float = 80
         raise OutOfRange("an expanding front is cylindrical or spherical")
     d, lag = detonation_velocity, n * curvature_length
     if min(d, curvature_length) <= 0.0 or radius <= lag:
-        raise OutOfRange(f"the front starts at a radius beyond {lag:g} m, where its velocity would vanish")
+        raise OutOfRange(f"the front must start at a radius above {lag:g} m, where its velocity would vanish")
 
     def burn_time(r):
         return (r - radius + lag * np.log((r - lag) / (radius - lag))) / d
@@ -58,7 +58,7 @@ def dsd_expansion(geometry: str = "cylindrical", detonation_velocity: float = 80
 
     def profile(r, time):
         if (r < radius).any():
-            raise OutOfRange(f"the front starts at the radius {radius:g} m")
+            raise OutOfRange(f"a position lies inside the radius at which the front starts, {radius:g} m")
         return {"burn_time": burn_time(r), "shock_velocity": d * (1.0 - lag / r)}
 
     numbers = {"first_velocity": d * (1.0 - lag / radius), "delay": lag / d}
@@ -84,7 +84,7 @@ def dsd_rate_stick(geometry: str = "cylindrical", detonation_velocity: float = 8
 
     def profile(r, time):
         if (np.abs(r) > radius * (1.0 + 1e-12)).any():
-            raise OutOfRange(f"the stick ends at {radius:g} m")
+            raise OutOfRange(f"a position lies outside the stick, whose radius is {radius:g} m")
         phi, lag = shape(np.minimum(np.abs(r) / curvature_length, scale))
         return {"lag": curvature_length * lag, "slope_angle": np.degrees(phi), "shock_velocity": delta * detonation_velocity * np.cos(phi)}
 
@@ -95,7 +95,7 @@ def dsd_rate_stick(geometry: str = "cylindrical", detonation_velocity: float = 8
 
 def dsd_arc(detonation_velocity: float = 8000.0, curvature_length: float = 1e-3, inner: float = 0.04, outer: float = 0.06,
             inner_angle_degrees: float = 0.0, outer_angle_degrees: float = 30.0) -> Solution:
-    """Detonation shock dynamics: a front that turns steadily in a ring of explosive, D_n = D(1 - alpha kappa).
+    """Detonation shock dynamics: a front that rotates steadily in a ring of explosive, D_n = D(1 - alpha kappa).
 
     The angles are those of the front's normal to the direction of rotation at the two edges, positive where the front falls back
     towards the edge. Positions are radii.

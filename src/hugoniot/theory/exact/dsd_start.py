@@ -5,8 +5,8 @@ With the front at $z(r, t)$ and $z' = \partial z/\partial r$, the normal velocit
 $$\frac{\partial z}{\partial t} = D\left[\sqrt{1 + z'^2} + \alpha\left(\frac{z''}{1 + z'^2} + n\frac{z'}r\right)\right], \qquad
   z(r, 0) = 0, \quad z'(0, t) = 0, \quad z'(R, t) = -\tan\phi_e$$
 
-n = 1 in a stick and 0 in a slab. It is solved by collocation at Chebyshev points across the whole width, none of them on the axis, in
-steps whose error is controlled. Early, the edge falls behind as in the conduction of heat from a wall of given flux, by
+with n = 1 in a stick and 0 in a slab. It is solved by collocation at Chebyshev points across the whole width, none of them on the axis, in
+steps with error control. At early times the edge lags as in heat conduction from a wall of prescribed flux, by
 $2\tan\phi_e\sqrt{\alpha Dt/\pi}$ for a small angle.
 
 Source: Bdzil and Stewart, Phys. Fluids A 1 (1989) 1261, for the model; derived and solved here.
@@ -40,7 +40,7 @@ def dsd_rate_stick_start(geometry: str = "cylindrical", detonation_velocity: flo
 
     def profile(r, time):
         if (np.abs(r) > radius * (1.0 + 1e-12)).any():
-            raise OutOfRange(f"the stick ends at {radius:g} m")
+            raise OutOfRange(f"a position lies outside the stick, whose radius is {radius:g} m")
         z, slope, rate = front(np.minimum(np.abs(r) / radius, 1.0), time * detonation_velocity / radius)
         return {"front_position": radius * z, "lag": radius * (front.on_axis - z), "slope_angle": np.degrees(np.arctan(-slope)),
                 "shock_velocity": detonation_velocity * rate / np.sqrt(1.0 + slope**2)}

@@ -1,4 +1,4 @@
-r"""Escape of explosive products: a gamma = 3 slab detonated from a piston expands into vacuum when the front reaches its end.
+r"""Escape of explosive products: a gamma = 3 slab detonated at a piston expands into vacuum when the front reaches its free end.
 
 Characteristics of a gamma = 3 gas are straight. Slab 0 < x < L, piston speed U from x = 0, t* = L/D, $w_\pm = u \pm c$:
 

@@ -1,4 +1,4 @@
-r"""A piston pushed at constant speed into an elastic-perfectly plastic solid: elastic precursor and plastic shock, exactly.
+r"""A piston driven at constant speed into an elastic-perfectly plastic solid: the exact elastic precursor and plastic shock.
 
 Pressure on the linear us-up Hugoniot with $\epsilon = 1-\rho_0/\rho$,
 $p = p_H(\rho)\left(1 - \tfrac12\tilde\Gamma\,\epsilon\right) + \rho\Gamma e$, where
@@ -13,8 +13,8 @@ $$(u-u_a)^2 = (\sigma-\sigma_a)\left(\tfrac1{\rho_a}-\tfrac1\rho\right), \qquad
   e-e_a = \tfrac12(\sigma+\sigma_a)\left(\tfrac1{\rho_a}-\tfrac1\rho\right), \qquad
   U = u_a + \frac{\sigma-\sigma_a}{\rho_a(u-u_a)}$$
 
-A piston slower than the yield velocity drives one elastic shock; one so fast that the plastic shock would outrun the precursor
-drives a single shock from rest.
+A piston slower than the yield velocity drives one elastic shock; a piston so fast that the plastic shock would outrun the precursor
+drives a single shock.
 
 Source: Udaykumar, Tran, Belk & Vanden, J. Comput. Phys. 186 (2003) 136, and ExactPack's ep_piston for the yield-density variants;
 the relations are conservation of mass, momentum and energy.

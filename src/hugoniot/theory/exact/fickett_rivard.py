@@ -9,7 +9,7 @@ A particle that was shocked a time tau ago has $q = 1 - k\tau/2$ and lies behind
 
 $$\xi(\tau) = \int_0^\tau (D-u)\,d\tau' = D\left[\frac{\gamma-1}{\gamma+1}\,\tau + \frac{k\tau^2}{4(\gamma+1)}\right]$$
 
-Behind the end of the reaction, tau = 2/k, the CJ state goes on unchanged (the piston moves with it).
+Behind the end of the reaction, tau = 2/k, the CJ state is uniform (the piston moves with it).
 
 Source: Fickett & Davis, Detonation (1979), chapter 5, after Fickett & Rivard; the problem SDRZ of ExactPack (gamma = 3, k = 2/us).
 """

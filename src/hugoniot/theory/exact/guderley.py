@@ -8,14 +8,14 @@ $$U'\,(m^2 - b^2\eta^2S) = -m\left[(1-b)U^2 + \tfrac{2-2b}{\gamma}S\right] - b\e
 $$L' = \left[b\eta U' - (d-b)U\right]/m, \qquad S' = S\left[(\gamma-1)L' - (2-2b)U/m\right]$$
 
 The bracket on the left vanishes on a characteristic between the shock (eta = -1) and eta = 0; only for one exponent does the flow pass
-through it smoothly. In $v = b\eta U$, $z = b^2\eta^2S$ the flow is the curve $dz/dv$ of
+through it smoothly. In terms of $v = b\eta U$, $z = b^2\eta^2S$ the flow is a solution of
 
 $$\Delta = (1-v)^2 - z, \quad \Delta_1 = z\left(d\,v - \tfrac{2(b-1)}{\gamma}\right) - v(v-b)(v-1), \quad
 \frac{dz}{dv} = \frac{z}{v-1}\left\{\left[2(b-v) - (\gamma-1)d\,v\right]\frac{\Delta}{\Delta_1} - (\gamma-1)\right\}$$
 
-from the shock, $v = 2/(\gamma+1)$, $z = 2\gamma(\gamma-1)/(\gamma+1)^2$, to a common zero of Delta and Delta_1: too large an exponent meets
-Delta = 0 first, too small a one Delta_1 = 0, which bisection uses. The crossing is computed by Chebyshev collocation, and the constant B
-of the reflected shock is found by bisection on the approach to the centre, where $v \to 2(b-1)/(d\gamma)$.
+from the shock, $v = 2/(\gamma+1)$, $z = 2\gamma(\gamma-1)/(\gamma+1)^2$, to a common zero of Delta and Delta_1. With too large an exponent
+Delta vanishes first, with too small an exponent Delta_1, so the exponent is found by bisection. The crossing is computed by Chebyshev
+collocation, and the constant B of the reflected shock by bisection, from the condition $v \to 2(b-1)/(d\gamma)$ at the centre.
 
 Source: Guderley, Luftfahrtforschung 19 (1942) 302; Lazarus, SIAM J. Numer. Anal. 18 (1981) 316; equations re-derived.
 """
@@ -203,9 +203,10 @@ def converging(geometry: str, gamma: float) -> Converging:
 def guderley(geometry: str = "spherical", gamma: float = 1.4, density: float = 1.0, amplitude: float = 1.0) -> Solution:
     """Guderley's converging and reflected shock: at amplitude (-t)^alpha before focussing at t = 0, amplitude (t/B)^alpha after.
 
-    Fields at r > 0: density, velocity, pressure, energy, sound_speed; cold gas at rest ahead of the converging shock. Nearer to the
-    centre than about 1e-5 of the reflected shock's radius pressure and density are held. `numbers`: alpha, reflected_time (B), and
-    the densities focus_density (at t = 0) and reflected_density (behind the reflected shock). All times, negative ones included.
+    Fields at r > 0: density, velocity, pressure, energy, sound_speed; cold gas at rest ahead of the converging shock. Closer to the
+    centre than about 1e-5 of the reflected shock's radius, pressure and density are kept constant. `numbers`: alpha, reflected_time (B),
+    and the densities focus_density (at t = 0) and reflected_density (behind the reflected shock). Holds for all times, including negative
+    ones.
     """
     if density <= 0.0 or amplitude <= 0.0:
         raise OutOfRange(f"a converging shock needs positive density and amplitude, got {density:g} and {amplitude:g}")

@@ -8,7 +8,8 @@ r"""Burn times of programmed-burn explosives: the shortest path of a front that 
 
 $$t = \frac1D\left[\sqrt{r_d^2 - R^2} + \sqrt{r^2 - R^2} + R\left(\theta - \arccos\frac{R}{r_d} - \arccos\frac{R}{r}\right)\right]$$
 
-with theta the angle between detonator and point seen from the centre; where the detonator sees the point, t is the distance over D.
+where theta is the angle between detonator and point seen from the centre. If the straight line to the detonator is clear, t is the distance
+over D.
 
 Source: Kenamond, HE burn-table verification problems (LA-UR-11-03096); ExactPack's kenamond1 to 3; paths re-derived.
 """

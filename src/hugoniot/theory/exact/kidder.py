@@ -1,4 +1,4 @@
-r"""Kidder's isentropic compression of a shell: self-similar, without shocks, to any density.
+r"""Kidder's isentropic compression of a shell: self-similar and without shocks, to any density.
 
 For $\gamma = 1 + 2/d$ every radius moves as $R(r,t) = r\,h(t)$, $h = \sqrt{1 - (t/\tau)^2}$, and
 

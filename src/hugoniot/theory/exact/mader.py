@@ -6,7 +6,7 @@ $u - 2c/(\gamma-1)$ uniform and $u + c = x/t$,
 $$u = \frac{2}{\gamma+1}\left(\frac xt - \frac D2\right), \qquad c = \frac D2 + \frac{\gamma-1}{2}u, \qquad
   \frac{\rho}{\rho_{CJ}} = \left(\frac{c}{c_{CJ}}\right)^{2/(\gamma-1)}$$
 
-until u equals the piston speed U, from $x = (\tfrac D2 + \tfrac{\gamma+1}{2}U)\,t$ on. At a wall (U = 0) the tail is half way to the front.
+until u equals the piston speed U, at $x = (\tfrac D2 + \tfrac{\gamma+1}{2}U)\,t$. At a wall (U = 0) the tail is half-way to the front.
 
 Source: Taylor, Proc. R. Soc. A 200 (1950) 235; Mader, Numerical Modeling of Detonations (1979); the problem of that name in ExactPack.
 """

@@ -1,8 +1,8 @@
 r"""The steady two-dimensional Riemann problem: two supersonic streams that meet at a point, of any two equations of state.
 
-One stream flows along x below the origin, the other at an angle above it. From the point where they meet a wave runs into each stream, a
-shock or a centred fan; between the waves lies a slip line, with the same pressure and direction on both sides.
-`theory.shock_polar` finds it. The fields depend on the angle alone; here they are given along the line x = `station`.
+One stream flows along x below the origin, the other at an angle above it. From the point where they meet a shock or a centred fan runs into
+each stream. Between the waves lies a slip line, with the same pressure and direction on both sides, found by
+`theory.shock_polar`. The fields depend on the angle alone; here they are given along the line x = `station`.
 
 Source: Courant and Friedrichs, Supersonic Flow and Shock Waves, sec. 124; Loh and Hui, J. Comput. Phys. 89 (1990) 207.
 """
@@ -36,7 +36,7 @@ def meeting_streams(below: Inflow = BELOW, above: Inflow = ABOVE, angle_degrees:
     """Steady Riemann problem: two supersonic streams that meet, each through a shock or a fan, with a slip line between them.
 
     below flows along x, above at `angle_degrees` to it (negative: into the lower one). Positions are y along the line x = station; the
-    time does not matter. Gases and solids alike; weak shocks are taken.
+    time does not matter. For gases and solids; of two possible shocks the weak one is taken.
     Fields: density, pressure, energy, axial_velocity, transverse_velocity. `numbers`: slip_pressure, slip_angle and the angles of the
     waves, in degrees from x.
     """

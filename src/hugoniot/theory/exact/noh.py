@@ -1,11 +1,11 @@
-r"""Noh's implosion: cold gas that runs into a wall, an axis or a centre and stops behind an outgoing shock.
+r"""Noh's implosion: cold gas flows towards a wall, an axis or a centre and stops behind an outgoing shock.
 
 With inflow speed U, d = 1, 2, 3 for planar, cylindrical, spherical, and the shock at $r_s = \tfrac12(\gamma-1)Ut$:
 
 $$r > r_s:\; \rho = \rho_0\left(1 + \frac{Ut}{r}\right)^{d-1},\; u = -U,\; p = 0; \qquad
   r < r_s:\; \rho = \rho_0\left(\frac{\gamma+1}{\gamma-1}\right)^{d},\; u = 0,\; e = \tfrac12 U^2,\; p = (\gamma-1)\rho e$$
 
-for every gamma. Some collections print 4^d and t/3, which holds only for gamma = 5/3.
+for every gamma. Some collections give 4^d and t/3, which hold only for gamma = 5/3.
 
 Source: Noh, J. Comput. Phys. 72 (1987) 78; conservation of mass, momentum and energy at the shock.
 """

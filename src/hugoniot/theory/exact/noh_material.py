@@ -1,4 +1,4 @@
-r"""Noh's implosion of any equation of state: inflow that stops behind a shock of constant speed.
+r"""Noh's implosion for any equation of state: inflow that stops behind a shock of constant speed.
 
 Ahead of the shock the particles coast without pressure: $\rho_1 = \rho_0(1 + Ut/r)^{d-1}$. At the shock r = Dt this is
 constant, and so are the jumps:
@@ -7,8 +7,8 @@ $$\rho_2 = \rho_0\left(1 + \frac UD\right)^d, \quad p_2 - p_1 = \rho_1(D + U)U, 
   e_2 - e_1 = \tfrac12U^2 + \frac{p_1U}{\rho_1(D + U)}, \quad p_2 = p(\rho_2, e_2)$$
 
 which is one equation for D. In planar flow the inflow is uniform and may have any pressure, so the solution holds for every law. In
-cylindrical and spherical flow the converging inflow must stay without pressure, $p(\rho, e_1) = 0$ for every density: that holds for
-laws $p = \Gamma\rho e$ at zero energy, such as the ideal gas. A solid has a cold curve that would push back, and is refused.
+cylindrical and spherical flow the converging inflow must stay without pressure, $p(\rho, e_1) = 0$ for every density. This holds for
+laws $p = \Gamma\rho e$ at zero energy, such as the ideal gas. Solids, which have a cold pressure, are refused.
 
 Source: Noh, J. Comput. Phys. 72 (1987) 78; Ramsey, Boyd and Burnett, Shock Waves 27 (2017) 477 for general laws; derived here.
 """
@@ -23,11 +23,11 @@ from hugoniot.theory.exact.substance import law_named
 
 
 def noh_material(material: str = "copper", geometry: str = "planar", speed: float = 1000.0, density: float = 0.0) -> Solution:
-    """Noh's implosion of a material of the library: uniform inflow against a wall, axis or centre, any equation of state.
+    """Noh's implosion of a library material: uniform inflow against a wall, axis or centre, any equation of state.
 
     density   of the inflow at time 0; 0: the reference density of the law. Planar: the inflow has the law's reference energy.
               Cylindrical and spherical: only laws without pressure at zero energy (ideal gases), which the inflow then has.
-    Strength is left out: the material is the fluid of its equation of state.
+    Strength is ignored: the material is treated as a fluid with its equation of state.
     Fields: density, velocity, pressure, energy. `numbers`: plateau values and shock_speed.
     """
     par, d = law_named(material), DIMENSION[geometry]
@@ -69,13 +69,13 @@ def _plateau(par, d: int, rho0: float, p1: float, e1: float, speed: float) -> tu
     # Towards a fast shock the material is hardly compressed and the law gives less pressure than the jump asks for.
     high = 1e3 * speed + 1e5
     if not excess(high) < 0.0:
-        raise NoSolution("Noh's problem: no shock slower than a thousand times the inflow stops it")
+        raise NoSolution("Noh's problem: no shock of up to a thousand times the speed of the inflow stops it")
     with np.errstate(all="ignore"):
         low = high
         while not excess(low) > 0.0:
             low /= 1.05
             if low < 1e-4 * speed:
-                raise NoSolution("Noh's problem: no shock stops the inflow: the law ends before the compression that this needs")
+                raise NoSolution("Noh's problem: no shock stops the inflow: the law does not reach the compression that this needs")
         high = 1.05 * low
     for _ in range(100):
         middle = 0.5 * (low + high)

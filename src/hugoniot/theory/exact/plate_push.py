@@ -1,19 +1,21 @@
-r"""Plates driven by explosives: the end-on plate of a gamma = 3 explosive, exactly, and Gurney's formulas.
+r"""Plates driven by explosives: the exact end-on plate of a gamma = 3 explosive, and Gurney's formulas.
 
-**End-on plate.** A slab of length L is lit at its free end x = 0; the plate (mass per area M, C = rho0 L) stands at x = L. For
-gamma = 3 both characteristics are straight: behind the front $u + c = x/t$, $p = \tfrac{16}{27}\rho_0 c^3/D$. At the plate, with
-y = x/t, $c = y - \dot x = -t\dot y$, and $M\ddot x = p$ becomes $d(ct)/dt = -\kappa (ct)^3/t^2$, $\kappa = 16\rho_0/(27 D M)$:
+**End-on plate.** A slab of length L is lit at its free end x = 0; the plate of mass per area M rests at x = L, and the charge has the mass
+per area C = rho0 L. For gamma = 3 both characteristics are straight: behind the front $u + c = x/t$, $p = \tfrac{16}{27}\rho_0 c^3/D$. At
+the plate, with y = x/t, $c = y - \dot x = -t\dot y$, and $M\ddot x = p$ becomes $d(ct)/dt = -\kappa (ct)^3/t^2$, $\kappa = 16\rho_0/(27 D
+M)$:
 
 $$ct = \left(a - 2\kappa/t\right)^{-1/2},\quad a = L^{-2} + 2\kappa D/L; \qquad
   \frac xt = D - \frac1\kappa\left[\sqrt{a - 2\kappa/t} - \frac1L\right]$$
 $$\frac{v_\infty}{D} = 1 - \frac{27M}{16C}\left(\sqrt{1 + \frac{32C}{27M}} - 1\right)$$
 
-Taking $u + c$ as unchanged across the reflected shock conserves neither momentum nor energy. With both conserved the plate is 0.5 %
-faster at M/C = 0.1 and 1.0 % at M/C = 5; with products $p = K\rho^3$ it is 0.25 and 1.3 % slower (`docs/theory/detonation.md`).
+The assumption that $u + c$ is unchanged across the reflected shock violates conservation of momentum and energy. With both conserved the
+plate is 0.5 % faster at M/C = 0.1 and 1.0 % faster at M/C = 5; with products $p = K\rho^3$ it is 0.25 and 1.3 % slower
+(`docs/theory/detonation.md`).
 
-**Gurney.** A linear velocity profile and uniform energy release E: $v/\sqrt{2E} = (\mu + k)^{-1/2}$, mu = M/C, with k = 1/3 (symmetric
-sandwich, M both plates), 1/2 (cylinder), 3/5 (sphere). In an asymmetric sandwich a tamper of mass N, nu = N/C, moves at A v the
-other way; the momentum balance gives A and the energy balance v:
+**Gurney.** With a linear velocity profile and a uniform energy release E, $v/\sqrt{2E} = (\mu + k)^{-1/2}$, mu = M/C, with k = 1/3
+(symmetric sandwich, where M counts both plates), 1/2 (cylinder), 3/5 (sphere). In an asymmetric sandwich a tamper of mass N, nu = N/C,
+moves at A v in the opposite direction; the momentum balance gives A and the energy balance v:
 
 $$A = \frac{1 + 2\mu}{1 + 2\nu}, \qquad \frac{v}{\sqrt{2E}} = \left[\mu + \nu A^2 + \frac{1 + A^3}{3(1 + A)}\right]^{-1/2}$$
 
@@ -35,9 +37,9 @@ def terminal_velocity(mass_ratio: float, detonation_velocity: float) -> float:
 
 
 def plate_push(mass_ratio: float = 1.0, detonation_velocity: float = 8000.0, density: float = 1600.0, length: float = 0.1) -> Solution:
-    """End-on plate: M/C = mass_ratio, driven end-on by a slab of gamma = 3 explosive lit at x = 0, into vacuum at both ends.
+    """End-on plate: M/C = mass_ratio, driven by a slab of gamma = 3 explosive lit at its free end x = 0; vacuum on both sides.
 
-    Positions are ignored except for their shape: the fields `position` and `velocity` are the plate's at the time asked for; `pressure`
+    Positions are ignored except for their shape: the fields `position` and `velocity` are those of the plate at the given time; `pressure`
     is that on the plate. `numbers`: terminal_velocity, arrival_time. Before arrival the plate rests at `length`.
     """
     if min(mass_ratio, detonation_velocity, density, length) <= 0.0:

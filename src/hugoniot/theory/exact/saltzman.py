@@ -1,4 +1,4 @@
-r"""A piston that drives a cold ideal gas against a wall: the shock runs to and fro, each time into the state left by the passage before.
+r"""A piston that drives a cold ideal gas against a wall: the shock reverberates, each time into the state left by the previous passage.
 
 Every passage is a shock into a known state (rho, p) that changes the velocity by the piston speed U: with
 $A = \tfrac{\gamma+1}{4} U$ the speed of the shock relative to the gas ahead is $w = A + \sqrt{A^2 + c^2}$, and

@@ -5,8 +5,8 @@ Incompressible flow $u = -C(t)/r^{d-1}$ (d = 2, plane strain; d = 3) between rad
 $$d=2:\; T = \pi\rho\,C^2\ln\frac ba,\quad \dot W = \frac{4\pi}{\sqrt3}\,Y\,C\ln\frac ba; \qquad
   d=3:\; T = 2\pi\rho\,C^2\left(\frac1a-\frac1b\right),\quad \dot W = 8\pi\,Y\,C\ln\frac ba$$
 
-and $C\,dt = -a^{d-1}da$, so that the work down to a radius is a quadrature in a, C(a) follows from T(a) = T_0 - W(a), the stopping
-radius from T = 0 and the history from $t = \int a^{d-1}da/C$.
+and $C\,dt = -a^{d-1}da$. The work W down to a radius is a quadrature in a. C(a) follows from T(a) = T_0 - W(a), the stopping
+radius from T = 0, and the history from $t = \int a^{d-1}da/C$.
 
 Source: Verney, Evaluation of the plastic limit of metals under explosive shells (1968); Howell & Ball, J. Comput. Phys. 175 (2002)
 128; integrals derived here.

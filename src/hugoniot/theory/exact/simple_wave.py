@@ -1,4 +1,4 @@
-r"""Simple waves of an ideal gas: a piston's withdrawal at constant speed, and a smooth push that steepens towards a shock.
+r"""Simple waves of an ideal gas: a piston withdrawn at constant speed, and a smooth compression that steepens towards a shock.
 
 In a wave that runs into gas at rest (density rho0, sound speed c0) along +x the invariant $u - 2c/(\gamma-1)$ is uniform, so
 
@@ -8,7 +8,7 @@ and u is constant along straight characteristics that leave the piston path X(s)
 
 $$x = X(s) + \left[c_0 + \tfrac12(\gamma+1)\,U(s)\right](t - s)$$
 
-They first cross at the least $t = s + [c_0 + \tfrac12(\gamma-1)U] / [\tfrac12(\gamma+1)U']$ over s with U' > 0. A piston
+They first cross at the smallest $t = s + [c_0 + \tfrac12(\gamma-1)U] / [\tfrac12(\gamma+1)U']$ over s with U' > 0. A piston
 withdrawn faster than $2c_0/(\gamma-1)$ leaves a vacuum behind.
 
 Source: Courant & Friedrichs, Supersonic Flow and Shock Waves (1948), sections 40 to 48.

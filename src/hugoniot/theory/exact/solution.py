@@ -15,13 +15,13 @@ def _no_jumps(time: float) -> tuple[float, ...]:
 
 @dataclass(frozen=True)
 class Solution:
-    """One exact solution, SI or any other consistent units: the equations have no scale of their own.
+    """One exact solution, in SI or any other consistent units.
 
     profile    function (positions, time) -> {field name: array}; use the object itself, which checks its arguments
     fronts     function time -> positions of the discontinuities
     numbers    the scalars that characterise the solution (star pressure, wave speeds, ...)
     times      (first, last) time at which the solution holds
-    domain     function time -> (first, last) position worth looking at; None where the jumps show it
+    domain     function time -> (first, last) position of interest; None where the jumps determine it
     steady     whether the solution is the same at every time
     """
 
@@ -37,7 +37,8 @@ class Solution:
     def _checked(self, time: float) -> float:
         if not self.times[0] <= time <= self.times[1]:
             start = "above 0" if self.times[0] == 1e-300 else f"from {self.times[0]:g}"
-            raise OutOfRange(f"{self.title}: time {time:g} is outside those for which the solution holds, {start} to {self.times[1]:g}")
+            raise OutOfRange(f"{self.title}: time {time:g} is outside the times for which the solution is valid, {start} to "
+                             f"{self.times[1]:g}")
         return float(time)
 
     def __call__(self, positions, time: float) -> dict[str, np.ndarray]:

@@ -1,9 +1,10 @@
-r"""Uniform collapse: a body that falls in so that every part is compressed alike, and stays uniform.
+r"""Uniform collapse: a converging body in which every part is compressed alike, so that it stays uniform.
 
 $$u = -\frac{r}{t_c - t}, \qquad \rho = \rho_0\left(1 - \frac{t}{t_c}\right)^{-d}, \qquad e = e_S(\rho)$$
 
-Velocities are proportional to the radius, so that the acceleration vanishes and the momentum equation requires only a uniform pressure;
-the energy follows the isentrope through the first state, of any equation of state. For the ideal gas $e = e_0(1 - t/t_c)^{-d(\gamma-1)}$.
+Velocities are proportional to the radius, so the acceleration vanishes and the momentum equation requires only a uniform pressure.
+The energy follows the isentrope through the initial state, for any equation of state. For the ideal gas $e = e_0(1 -
+t/t_c)^{-d(\gamma-1)}$.
 
 Source: Noh, J. Comput. Phys. 72 (1987) 78 (his second problem, the uniform collapse); derived here for any law.
 """
@@ -21,7 +22,8 @@ def uniform_collapse(geometry: str = "spherical", gamma: float = 5.0 / 3.0, dens
                      collapse_time: float = 1.0, material: str = "") -> Solution:
     """Uniform collapse (Noh's second problem): velocities proportional to the radius, everything else uniform.
 
-    material   empty: the ideal gas of gamma; else a material of the library, which starts from its reference state (then `gamma`,
+    material   empty: an ideal gas with this gamma; otherwise a material of the library, which starts from its reference state (then
+    `gamma`,
                `density` and `energy_per_mass` are not used)
 
     Fields: density, velocity, pressure, energy. Holds for time < collapse_time, and for a material as far as its law reaches.

@@ -29,7 +29,7 @@ class BeckerShock:
 
     def __post_init__(self):
         if not self.mach > 1.0:
-            raise OutOfRange(f"Mach {self.mach:g} makes no shock; give mach above 1")
+            raise OutOfRange(f"Mach {self.mach:g} is not a shock; give mach above 1")
         if not self.gamma > 1.0:
             raise OutOfRange(f"an ideal gas needs gamma above 1, got {self.gamma:g}")
 

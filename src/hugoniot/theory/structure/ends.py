@@ -1,11 +1,11 @@
-r"""The two ends of a shock's structure: the exact jump of the same law that the inside of the shock obeys.
+r"""The two end states of a shock: the exact jump of the same law that is used inside the shock.
 
-In the frame of the shock the mass flux $m = \rho u$ is constant and the states of the ideal (inviscid) balance lie on the Rayleigh line
+In the frame of the shock the mass flux $m = \rho u$ is constant and states in balance without dissipation lie on the Rayleigh line
 
 $$p = p_1 + m^2 (v_1 - v), \qquad e_R(v) = e_1 + p_1 (v_1 - v) + \tfrac12 m^2 (v_1 - v)^2 .$$
 
-Both ends satisfy $p_{law}(v, e_R(v)) = p$; no constant of the law is bent to make it so (Jordan eq. 7.1.31 bends Gamma), and it holds for
-any equation of state to round-off.
+Both ends satisfy $p_{law}(v, e_R(v)) = p$ to round-off for any equation of state, without adjusting a constant of the law (Jordan eq.
+7.1.31 adjusts Gamma for this).
 """
 
 import math
@@ -91,12 +91,13 @@ def find_ends(material, upstream: hugoniot.Initial | None = None, *, mach: float
     c1 = float(contract.sound_speed(ahead.density, ahead.energy, par))
     if mach is not None:
         if given:
-            raise OutOfRange(f"a shock is given once: by mach or by {', '.join(given)}, not by both")
+            raise OutOfRange(f"give the strength of a shock by mach or by {', '.join(given)}, not by both")
         if not (math.isfinite(mach) and mach > 1.0):
             raise OutOfRange(f"Mach {mach:g} is not a shock: its speed must exceed the sound speed ahead, {c1:.6g} m/s; give mach above 1")
         given = {"shock_velocity": mach * c1}
     if len(given) != 1:
-        raise OutOfRange("a shock has one measure of strength: mach, shock_velocity, particle_velocity, pressure or density; got "
+        raise OutOfRange("a shock needs exactly one measure of strength (mach, shock_velocity, particle_velocity, pressure or density), "
+                         "got "
                          + (", ".join(given) or "none"))
     name = EOS.of(par).name
     try:

@@ -6,13 +6,13 @@ $$\left(\tfrac43\mu+\zeta\right) m\,\frac{dv}{dx} = p + m^2 v - P_0, \qquad k\,\
 
 with $P_0 = p_1 + m^2 v_1$ and $e_R$ the energy of the Rayleigh line (`ends`). Both right-hand sides vanish at the ends. With the identity
 $(\partial T/\partial v)_e = p\,T_e - T\,p_e$, $T_e = 1/c_v$, the second becomes an equation for h, so that any law with
-pressure, its derivatives, temperature and specific heat can be integrated (where a law breaks it, the difference quotient stands in):
+pressure, its derivatives, temperature and specific heat can be integrated (for laws that do not satisfy it, difference quotients are used):
 
 $$\frac{dh}{dx} = \frac{m c_v}{k}\,h + \left[T p_e c_v - (p + m^2 v - P_0)\right]\frac{dv}{dx}.$$
 
-The upstream end is an unstable node, the downstream end a saddle: one trajectory leaves the saddle along its stable direction, and followed
-towards -x it is drawn into the upstream end. The two-point problem is thus an initial-value problem without iteration, and errors decay.
-Without conduction h = 0 and one equation is left.
+The upstream end is an unstable node and the downstream end a saddle. Followed towards -x, the one trajectory along the stable direction of
+the saddle runs into the upstream end. The two-point problem is thus an initial-value problem without iteration, in which errors decay.
+Without conduction h = 0 and only one equation remains.
 """
 
 import math

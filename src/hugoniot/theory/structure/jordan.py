@@ -1,15 +1,15 @@
 r"""The cases of Jordan 2011: argon, water and silica powders, with the readings of verification A5.
 
-Jordan bends the Grüneisen parameter until the truncated equation of state
+Jordan adjusts the Grüneisen parameter g so that the truncated equation of state
 
 $$p = \rho_0c_0^2\,(x + 2s x^2 + 3 s^2 x^3) + g\,[\rho e - \rho_0 c_0^2 (x^2/2 + s x^3)], \qquad x = 1 - \rho_0/\rho,$$
 
-meets the jump; the formula (eq. 7.1.31) is deleted from the source and restored here:
+satisfies the jump conditions. The formula (eq. 7.1.31) is missing from our copy and was rederived:
 
 $$g = \frac{p_s - \rho_0c_0^2(x+2sx^2+3s^2x^3)}{\rho_s e_s - \rho_0c_0^2(x^2/2+sx^3)}, \qquad
   e_s = \frac{p_0}{g_{lit}\,\rho_0} + \frac{(p_s+p_0)\,x}{2\rho_0}, \qquad p_s = \rho_0 U_s u_p + p_0.$$
 
-No profile of this package needs it: a Hugoniot-referenced law meets its own jump with any Grüneisen parameter.
+No profile of this package needs it: a Hugoniot-referenced law satisfies the jump conditions with any Grüneisen parameter.
 """
 
 from dataclasses import dataclass

@@ -1,7 +1,8 @@
 r"""The steady profile: every field through the shock, its thicknesses, and where its entropy comes from.
 
-Thickness by the steepest gradient of a field f: $\delta_f = |f_2 - f_1| / \max|df/dx|$ (Jordan eq. 6.2.5 with f = density); widths between
-10 % and 90 % of the jump. The entropy gained follows from the corrected integral (J-E2: Jordan eq. 2.4.1.20 lacks $1/(\rho u)$)
+The thickness is that of the steepest gradient of a field f, $\delta_f = |f_2 - f_1| / \max|df/dx|$ (Jordan eq. 6.2.5 with f = density);
+widths are taken between 10 % and 90 % of the jump. The entropy gained follows from the corrected integral (J-E2: Jordan eq. 2.4.1.20 lacks
+$1/(\rho u)$)
 
 $$\Delta s = \frac1m\int\left[\frac{\tau\,u_x}{T} + \frac{(kT_x)_x}{T}\right]dx
  = \frac1m\int\left[\frac{(\frac43\mu+\zeta)\,u_x^2}{T} + \frac{k\,T_x^2}{T^2}\right]dx,$$

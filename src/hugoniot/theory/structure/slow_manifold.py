@@ -1,13 +1,13 @@
 r"""The trajectory inside a shock as a curve h(w), by Chebyshev collocation: the method for weak shocks and strong conductors.
 
-Where one upstream rate is many times the other the equations are stiff along x, but the trajectory itself is a smooth curve between the two
-ends (the slow manifold). With y from 0 (upstream) to 1 and $g(y) = y(1-y)\,q(y)$ it obeys
+Where one of the two growth rates at the upstream end is many times the other, the equations are stiff along x, but the trajectory itself is
+a smooth curve between the two ends (the slow manifold). With y from 0 (upstream) to 1 and $g(y) = y(1-y)\,q(y)$ it satisfies
 
 $$g_\xi(y, g) - g'(y)\,y_\xi(y, g) = 0,$$
 
-which Newton's method solves for a polynomial q at Chebyshev points; the error falls exponentially with their number. One smooth equation
-$y_\xi(y, g(y))$ is left for the position. The curve's own singular part at the upstream end behaves as $y^r$, r the ratio of rates, and is
-beyond any polynomial's reach once r is large.
+which is solved by Newton's method for a polynomial q at Chebyshev points; the error falls exponentially with their number. One smooth
+equation, $y_\xi(y, g(y))$, remains for the position. At the upstream end the curve has a singular part $y^r$, with r the ratio of the
+rates, which is negligible for large r.
 """
 
 import numpy as np

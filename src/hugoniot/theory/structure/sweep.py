@@ -1,4 +1,4 @@
-"""Thickness over Mach number: the reciprocal-thickness curve of the literature, its minimum, and Jordan's tables beside ours."""
+"""Thickness against Mach number: the reciprocal-thickness curve of the literature, the thinnest shock, and Jordan's tables beside ours."""
 
 from scipy.optimize import minimize_scalar
 

@@ -1,4 +1,4 @@
-"""What contact books in a step: heat and friction into zones, impulses on what holds movers, forces, bonds that break."""
+"""Results of contact in a step: heat and friction into zones, impulses on constraints, forces, bonds that break."""
 
 import numba as nb
 

@@ -1,4 +1,4 @@
-"""Where surfaces bound material: normals, and what an edge says of a point near its ends."""
+"""Normals of surfaces, and the side of an edge on which a point near its ends lies."""
 
 import numba as nb
 

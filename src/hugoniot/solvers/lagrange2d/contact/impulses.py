@@ -1,13 +1,13 @@
 r"""The velocities closest to the free ones that no constraint forbids, by Gauss's principle of least constraint.
 
-Movers have masses $M$ and free velocities $u^*$. Contact may not let a point go deeper: $n\cdot(u_s - (1-t)u_a - t u_b) \ge \ell$ for every
-pair of a point s and an edge from a to b. The velocities that minimise $\sum M|u - u^*|^2$ under these inequalities are unique; their
-multipliers $\lambda \ge 0$ are the impulses of contact, equal and opposite on both sides, zero where surfaces separate. Neither side
-is master. Relaxation finds them: one pair after the other gets the impulse that just satisfies it, none pulls, and friction
-gets the tangential impulse that stops the sliding, at most its coefficient times $\lambda$ (J. J. Moreau, Int. Centre Mech. Sci. 302
-(1988) 1; M. Jean, Comput. Methods Appl. Mech. Eng. 177 (1999) 235). What a sweep changes is the gradient of a method of conjugate
-gradients, without which nodes that nearly face each other would take hundreds of sweeps (M. Silcowitz-Hansen, S. Niebe, K. Erleben,
-The Visual Computer 26 (2010) 893).
+Movers have masses $M$ and free velocities $u^*$. Contact prevents penetration: $n\cdot(u_s - (1-t)u_a - t u_b) \ge \ell$ for every
+pair of a point s and an edge from a to b. The velocities that minimise $\sum M|u - u^*|^2$ under these inequalities are unique. The
+Lagrange multipliers $\lambda \ge 0$ are the impulses of contact, equal and opposite on both sides, zero where surfaces separate. There is
+no distinction between master and slave. The impulses are found by relaxation: each pair in turn receives the impulse that just satisfies
+its inequality (never a tensile one), and friction the tangential impulse that stops the sliding, at most its coefficient times $\lambda$
+(J. J. Moreau, Int. Centre Mech. Sci. 302 (1988) 1; M. Jean, Comput. Methods Appl. Mech. Eng. 177 (1999) 235). The change made by a sweep is
+the gradient in a method of conjugate gradients, without which nodes that nearly face each other would take hundreds of sweeps (M.
+Silcowitz-Hansen, S. Niebe, K. Erleben, The Visual Computer 26 (2010) 893).
 """
 
 import numba as nb

@@ -1,8 +1,8 @@
-"""Where the numbers of contact stand: columns of its tables, and the tables themselves.
+"""Layout of the tables of contact.
 
 A surface is a chain of boundary edges, each from point a to point b with the material on its left. A point is a node of a surface or a
-vertex of a rigid body. What moves independently is a mover: each node of a surface, and each rigid body as a whole. A pair is a point and
-an edge of another stretch of surface that it may meet.
+vertex of a rigid body. A mover is anything that moves independently: each node of a surface, and each rigid body as a whole. A pair is a
+point and an edge of another part of a surface that it may touch.
 """
 
 from typing import Any, NamedTuple

@@ -1,7 +1,7 @@
-"""Which pairs meet in a step, and what contact then asks of their velocities.
+"""The pairs that touch in a step, and the constraints on their velocities.
 
-A pair meets when its point would be behind its edge at the end of the step, was not before, and the surfaces face each other
-(`corners`). Where the edge ends at a corner that juts out, a point behind both edges meets the one it came through.
+A pair touches if its point would be behind its edge at the end of the step, was not before, and the surfaces face each other
+(`corners`). At a protruding corner, a point behind both edges touches the one it came through.
 """
 
 import numba as nb

@@ -1,7 +1,7 @@
-"""Which of the pairs listed may meet in a step, and which movers that concerns; all other pairs and movers are left out of it.
+"""The short list of pairs that may touch in a step, and their movers; all other pairs and movers are skipped.
 
-Points are taken to fly straight, with the velocities of the last look at all pairs. As long as none goes farther astray than was reckoned
-with, no pair can meet that is not in the list.
+Points are assumed to move in straight lines with the velocities at the time the list was made. As long as no point deviates farther than
+allowed for, no other pair can touch.
 """
 
 import numba as nb

@@ -1,6 +1,6 @@
-"""Relaxation: impulses of pairs and bonds that satisfy what contact asks of velocities, one after the other (`impulses`).
+"""Relaxation: impulses of pairs and bonds that satisfy the constraints on velocities, one after the other (`impulses`).
 
-All sweeps go the same way: conjugate gradients suppose that each does the same to the same error.
+All sweeps run in the same order, because conjugate gradients assume that each sweep acts on an error in the same way.
 """
 
 import numba as nb

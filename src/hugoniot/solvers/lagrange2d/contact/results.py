@@ -1,4 +1,4 @@
-"""What a run with contact hands out: fields of nodes, numbers of the summary, accounts of rigid bodies, what is kept and restored."""
+"""Results of a run with contact: fields of nodes, numbers of the summary, balances of rigid bodies, checkpoint data."""
 
 import numpy as np
 

@@ -1,8 +1,8 @@
-"""Rigid bodies in a step: what moves them, and where their vertices are taken.
+"""Rigid bodies in a step: their motion and the positions of their vertices.
 
-A body that turns goes from one place to the next as a whole: its centre by the mean velocity of the step, its vertices around the centre by
-the mean rate of turning, along chords. An impulse acts in the middle of the step, at the place of contact there, so that the angular
-momentum that the material loses is what the body gains.
+A rotating body moves as a whole: its centre with the mean velocity of the step, its vertices around the centre with
+the mean rate of rotation, along chords. An impulse acts in the middle of the step, at the point of contact there, so that the angular
+momentum lost by the material is gained by the body.
 """
 
 import math

@@ -1,4 +1,4 @@
-"""Which points may meet which edges: edges sorted into square cells, points look into the nine cells around theirs."""
+"""Search for points that may touch edges: edges are sorted into square cells, and each point is tested against nine cells."""
 
 import numba as nb
 

@@ -1,12 +1,12 @@
-"""What contact does in a step, at the places `march` calls it.
+"""Contact in a step: the operations that `march` calls.
 
-    READY     before the step: pairs that may meet; False where there is no room for them
-    CLOSE     at its start: surfaces that would pass each other come no nearer than their gap, the kinetic energy lost is heat
+    READY     before the step: pairs that may touch; False if there is no room for them
+    CLOSE     at its start: surfaces that would interpenetrate only close their gap; the kinetic energy lost becomes heat
     PUSH      mean velocities of the step: no point ends behind an edge, no surface pulls
     MOVE, TAKE_BACK     rigid bodies
     ACCEPT    after it: heat and work of friction into zones, forces, bonds that break
 
-Contact is the leader's alone, so that no bit depends on the number of threads.
+Only the leader computes contact, so results do not depend on the number of threads.
 """
 
 import numba as nb
@@ -101,7 +101,7 @@ def arm_bonds(c, t):
 
 @nb.njit(**BY_ADDRESS)
 def ask(c, nodes, dt, closing):
-    """What pairs and bonds ask of the velocities, with the directions of the start of the step or of its middle."""
+    """What pairs and bonds require of the velocities, with the directions of the start of the step or of its middle."""
     arm_bonds(c, 0.0 if closing else 0.5)
     if closing:
         ask_closing(c, dt)
