@@ -192,9 +192,9 @@ def _note_extrapolation(folder: RunFolder, problem: Problem, solver: Solver, war
         end = range_of(problem.materials[name])
         foretold = any(f"data of '{name}'" in text or f"material '{name}' is driven to" in text for text in warned)
         if speed > end.up and not foretold:
-            reach = f"but its data reach only {end.up:.4g} m/s" if end.stated else f"{beyond(end)}, and no range of its data is stated"
+            reach = f", but its data reach only {end.up:.4g} m/s" if end.stated else f": {beyond(end)}, and no range of its data is stated"
             folder.event(solver.time, solver.cycle, "warning",
-                         f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s, {reach}")
+                         f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s{reach}")
 
 
 def _doubts(problem: Problem, solver: Solver) -> list[str]:
