@@ -27,19 +27,23 @@ class DeckProblem:
 
 
 class DeckError(HugoniotError):
-    """A deck, a material file or another input that cannot be used; carries the problems found, and at least how many `more` there are."""
+    """A deck, a material file or another input that cannot be used; carries the problems listed and how many `more` were found.
+
+    at_least   the reading stopped before its end, so that there may be others beyond those
+    """
 
     exit_code = 2
 
-    def __init__(self, problems: list[DeckProblem], more: int = 0):
-        self.problems, self.more = list(problems), more
+    def __init__(self, problems: list[DeckProblem], more: int = 0, at_least: bool = False):
+        self.problems, self.more, self.at_least = list(problems), more, at_least
         super().__init__("\n".join([*(str(p) for p in self.problems), *([self.count] if more else [])]))
 
     @property
     def count(self) -> str:
         """How many problems there are, in words."""
         if self.more:
-            return f"at least {len(self.problems) + self.more} problems; the first {len(self.problems)} are shown"
+            least = "at least " if self.at_least else ""
+            return f"{least}{len(self.problems) + self.more} problems; the first {len(self.problems)} are shown"
         return f"{len(self.problems)} problems" if len(self.problems) > 1 else "1 problem"
 
     @classmethod

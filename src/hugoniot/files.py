@@ -4,7 +4,6 @@ A device (`/dev/zero`) has no end, a pipe may never answer: neither is waited fo
 """
 
 import csv
-import mmap
 import os
 import re
 import stat
@@ -16,7 +15,10 @@ from hugoniot.errors import DeckError, FileTrouble
 DEEPEST = 100           # tables and arrays within each other, and parts of a key, of a file in TOML
 LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+)""" f"{{{DEEPEST}}}")
 LARGEST = 256_000_000   # bytes; more than any deck, material file or table of measured data has
+_RARE_ENDS = "\x0b\x0c\x1c\x1d\x1e\x85\u2028\u2029"     # of lines, as `str.splitlines` knows them
 _COLLECTION = b"GCOL\x01"
+_MOST_COLLECTIONS = 1_000_000    # of texts: more than any result or table has
+_PIECE = 1 << 20        # bytes of a file read at a time: a whole one in memory would be too much
 _WITHOUT_WAITING = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
 
 
@@ -75,11 +77,15 @@ def toml_tables(text: str) -> dict:
     return raw
 
 
-def csv_rows(text: str, name, first: int = 1) -> list[tuple[int, list[str]]]:
+def csv_rows(text: str, name, first: int = 1, most: int | None = None) -> list[tuple[int, list[str]]]:
     """(line, cells) of comma-separated text, without empty lines and comments (#). Raises `DeckError`.
 
     name, first   what messages call the text, and the number of its first line
+    most          the lines that the text may have; one that has more is not begun with
     """
+    if most is not None and max(text.count("\n"), text.count("\r")) + sum(map(text.count, _RARE_ENDS)) > most:
+        raise DeckError.single(name, most + 1, "row", f"more than {most:,} lines are too many".replace(",", " "),
+                               "use fewer: values between two lines are linear")
     reader = csv.reader(text.splitlines())
     try:
         return [(reader.line_num + first - 1, row) for row in reader if row and not row[0].lstrip().startswith("#")]
@@ -88,34 +94,59 @@ def csv_rows(text: str, name, first: int = 1) -> list[tuple[int, list[str]]]:
                                "is a quotation mark left open?") from None
 
 
-def hdf5_texts_end(path) -> bool:
-    """Whether reading the texts of an HDF5 file comes to an end; `FileTrouble` and `OSError` as `open_regular`.
+class Hdf5Texts:
+    """Whether reading the texts of an HDF5 file comes to an end: `feed` takes the file piece by piece, then `end` tells.
 
     Texts of variable length lie in collections, each object with its size before it. Where damage makes that size 0, or so large that the
     sum wraps round, the library goes from an object to itself for ever; here the collections are walked as it does.
 
     Source: HDF5 File Format Specification 3.0, section III.E (global heap).
     """
+
+    def __init__(self):
+        self._read, self._kept, self._places = 0, b"", []
+
+    def feed(self, piece: bytes) -> None:
+        """Look for collections in the next piece; one may begin in the piece before."""
+        data, start = self._kept + piece, self._read - len(self._kept)
+        at = data.find(_COLLECTION)
+        while at >= 0 and len(self._places) <= _MOST_COLLECTIONS:
+            self._places.append(start + at)
+            at = data.find(_COLLECTION, at + 1)
+        self._read += len(piece)
+        self._kept = data[len(data) - len(_COLLECTION) + 1:]
+
+    def end(self, path) -> bool:
+        """Whether each collection ends; `FileTrouble` and `OSError` as `open_regular`."""
+        if len(self._places) > _MOST_COLLECTIONS:
+            return False
+        with os.fdopen(open_regular(path), "rb") as file:
+            return all(_walked(file, at, self._read) for at in self._places)
+
+
+def hdf5_texts_end(path) -> bool:
+    """Whether reading the texts of an HDF5 file comes to an end (`Hdf5Texts`); `FileTrouble` and `OSError` as `open_regular`."""
+    texts = Hdf5Texts()
     with os.fdopen(open_regular(path), "rb") as file:
-        if not os.fstat(file.fileno()).st_size:
-            return True
-        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
-            at = data.find(_COLLECTION)
-            while at >= 0:
-                if not _walked(data, at):
-                    return False
-                at = data.find(_COLLECTION, at + 1)
-    return True
+        while piece := file.read(_PIECE):
+            texts.feed(piece)
+    return texts.end(path)
 
 
-def _walked(data, at: int) -> bool:
-    size = int.from_bytes(data[at + 8:at + 16], "little")
+def _walked(file, at: int, length: int) -> bool:
+    def numbers(place: int, first: int) -> tuple[int, int]:
+        """Two numbers, of which the first has `first` bytes and the second begins 8 bytes in."""
+        file.seek(place)
+        head = file.read(16)
+        return int.from_bytes(head[:first], "little"), int.from_bytes(head[8:16], "little")
+
+    size = numbers(at, 8)[1]
     place, end = at + 16, at + size
-    if not 4096 <= size <= len(data) - at:      # the library refuses it, or these bytes are no collection
+    if not 4096 <= size <= length - at:      # the library refuses it, or these bytes are no collection
         return True
     while place + 16 <= end:
-        number, length = int.from_bytes(data[place:place + 2], "little"), int.from_bytes(data[place + 8:place + 16], "little")
-        step = 16 + (length + 7) // 8 * 8 if number else length     # object 0 is what is free, its head included
+        number, extent = numbers(place, 2)
+        step = 16 + (extent + 7) // 8 * 8 if number else extent     # object 0 is what is free, its head included
         if not 16 <= step <= end - place:
             return False
         place += step

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
+from hugoniot.materials.validity import beyond, range_of
 from hugoniot.output.line_record import LineRecorder, line_meta
 from hugoniot.output.origin import check_program, other_machine
 from hugoniot.output.plane_record import PlaneRecorder, plane_meta
@@ -188,11 +189,12 @@ def steady_numbers(problem: Problem) -> dict[str, float]:
 def _note_extrapolation(folder: RunFolder, problem: Problem, solver: Solver, warned) -> None:
     """Warn once for each material driven beyond the particle velocities its equation of state was fitted to."""
     for name, speed in solver.largest_velocity_jump().items():
-        limit = problem.materials[name].valid_up_to
-        foretold = any(f"data of '{name}'" in text for text in warned)
-        if limit is not None and speed > limit and not foretold:
+        end = range_of(problem.materials[name])
+        foretold = any(f"data of '{name}'" in text or f"material '{name}' is driven to" in text for text in warned)
+        if speed > end.up and not foretold:
+            reach = f", but its data reach only {end.up:.4g} m/s" if end.stated else f": {beyond(end)}, and no range of its data is stated"
             folder.event(solver.time, solver.cycle, "warning",
-                         f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s, but its data reach only {limit:.4g} m/s")
+                         f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s{reach}")
 
 
 def _doubts(problem: Problem, solver: Solver) -> list[str]:

@@ -11,6 +11,7 @@ import functools
 import math
 import numbers
 import re
+from collections.abc import Iterable
 from decimal import Decimal, DecimalException, localcontext
 from typing import NamedTuple
 
@@ -99,14 +100,34 @@ def _parsed(value: str, unit: str) -> float:
             return _to_float(number, Decimal(1), Decimal(0), value)
         hint = f"add one such as '{number} {_sample(unit)}', or omit the quotes for SI ({unit})"
         raise UnitError(f"{_shown(value)} has no unit", hint)
+    return _to_float(number, *_of_kind(name, unit, value), value)
+
+
+def parse_all(values: Iterable[float], name: str, unit: str) -> list[float]:
+    """As `parse` of many numbers that have one unit, `name`; without one they are SI. Raises `UnitError`."""
+    finite = [_finite_number(value) for value in values]
+    if not name:
+        return finite
+    example = f"{finite[0] if finite else 1.0!r} {name}"
+    factor, offset = _of_kind(_split(example, unit)[1], unit, example)
+    with localcontext(prec=60):
+        found = [float(Decimal(repr(value)) * factor + offset) for value in finite]
+    for value, result in zip(finite, found):
+        if result == 0.0 or not math.isfinite(result):
+            _to_float(repr(value), factor, offset, f"{value!r} {name}")     # says what is wrong with it, if anything is
+    return found
+
+
+def _of_kind(name: str, unit: str, text: str) -> tuple[Decimal, Decimal]:
+    """(factor, offset) from a unit to the SI unit `unit`; `UnitError` where it is one of another kind, as `text` was written with it."""
     if name in _OFFSET:
         found, offset = Unit(Decimal(1), _KELVIN), _OFFSET[name]
     else:
         found, offset = _read_unit(name), Decimal(0)
     if found.powers != _powers(unit):
         kind = _kind_of(found.powers)
-        raise UnitError(f"expected {_wanted(unit)}, got {kind or 'something else'} ({_shown(value)})", _example(unit))
-    return _to_float(number, found.factor, offset, value)
+        raise UnitError(f"expected {_wanted(unit)}, got {kind or 'something else'} ({_shown(text)})", _example(unit))
+    return found.factor, offset
 
 
 def powers_of(text: str) -> tuple[float, tuple[int, ...]]:
@@ -281,6 +302,7 @@ def _from_pint(name: str) -> Unit:
     raise UnitError(f"unknown unit '{name}'", hint)
 
 
+@functools.lru_cache(maxsize=256)      # a slip of a unit is often made in every line
 def _nearest(name: str) -> str:
     same = [known for known in _UNITS if known.lower() == name.lower()]
     usual = [u for u in ("GPa", "km", "mm", "us", "kg", "kJ", "MJ", "MPa", "Mbar", "kbar") if u in same]

@@ -222,7 +222,7 @@ class Match(Asked):
         collector = Collector([], "match", lambda path: None)
         material = read_material(name, table, collector, ("material", name))
         if collector.problems or material is None:
-            raise DeckError(collector.problems)
+            raise collector.error()
         return material
 
 

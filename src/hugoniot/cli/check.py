@@ -9,6 +9,7 @@ from hugoniot.cli.show import JSON, MATERIALS, SET, echo_json, echo_table, overr
 from hugoniot.errors import DeckError, NoSolution, OutOfRange
 from hugoniot.materials import burning
 from hugoniot.materials.reach import reach
+from hugoniot.materials.validity import range_of
 from hugoniot.problem.cost import estimate
 from hugoniot.problem.deck import Deck, read_deck
 from hugoniot.units import format_si
@@ -30,13 +31,15 @@ def command(
         _require_shock(found.problem, str(deck))
     except DeckError as error:
         if as_json:
-            echo_json({"ok": False, "problems": [vars(p) for p in error.problems]})
+            number = {"count": len(error.problems) + error.more, "at_least": error.at_least}
+            echo_json({"ok": False, **number, "problems": [vars(p) for p in error.problems]})
             raise typer.Exit(error.exit_code) from None
         raise
     warnings = [*found.warnings, *_echoes(found.problem)]
     if as_json:
         cost = estimate(found.problem)._asdict()
-        ranges = {name: {"up_to": m.valid_up_to, "words": reach(m)} for name, m in found.problem.materials.items()}
+        ranges = {name: {"up_to": m.valid_up_to, "estimated_up_to": None if (end := range_of(m)).stated else end.up, "words": reach(m)}
+                  for name, m in found.problem.materials.items()}
         echo_json({"ok": True, "warnings": warnings, "ranges": ranges, "estimate": cost, "resolved": found.resolved})
     elif resolved:
         typer.echo(found.resolved, nl=False)

@@ -56,7 +56,7 @@ def check(text: str, work: Path | None) -> dict[str, Any]:
     try:
         found = read(text, work)
     except DeckError as error:
-        return {"ok": False, "problems": [{"line": p.line, "key": p.key, "text": str(p)} for p in error.problems]}
+        return {"ok": False, "count": error.count, "problems": [{"line": p.line, "key": p.key, "text": str(p)} for p in error.problems]}
     except HugoniotError as error:
         return {"ok": False, "problems": [{"line": None, "key": "", "text": str(error)}]}
     problem = found.problem

@@ -124,4 +124,4 @@ def _add_folder(found: Places, path: Path) -> None:
 
 def as_command(error: Exception) -> list[str]:
     """The messages of an error, as the command line prints them."""
-    return [str(problem) for problem in error.problems] if isinstance(error, DeckError) else [str(error)]
+    return [*map(str, error.problems), *([error.count] if error.more else [])] if isinstance(error, DeckError) else [str(error)]

@@ -6,6 +6,7 @@ Every problem is collected, none raised.
 
 import math
 from dataclasses import fields, replace
+from functools import partial
 from typing import Any
 
 from hugoniot.laws import mixture as _mixtures  # noqa: F401  (enrols the closures)
@@ -120,7 +121,7 @@ def _choice(key: str, tables: dict, known, collector: Collector, path: tuple) ->
     given = tables[key]
     if not isinstance(given, str) or given not in known:
         shown = printable(given) if isinstance(given, str) else "not a string"
-        collector.add((*path, key), f"unknown {key.replace('_', ' ')} '{shown}'", nearest(shown, known))
+        collector.add((*path, key), f"unknown {key.replace('_', ' ')} '{shown}'", partial(nearest, shown, known))
     return given
 
 

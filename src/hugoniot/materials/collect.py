@@ -3,14 +3,17 @@
 import difflib
 import re
 from collections.abc import Callable, Iterable
+from functools import partial
 from pathlib import Path
 
 from hugoniot.errors import DeckError, DeckProblem
 from hugoniot.units import UnitError, parse
 
 LineOf = Callable[[tuple], int | None]
+Hint = str | Callable[[], str]      # a function where finding the words takes long: those of a problem that is only counted are not needed
 _NAMED = ("region", "block", "gauge", "interface")
-MOST = 50           # problems worth reporting: whoever has more reads the first ones
+MOST = 50           # problems worth listing: whoever has more reads the first ones
+COUNTED = 20_000    # problems after which the reading of a hopeless file ends
 _CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")      # but for tabs and ends of lines
 _MOST_KNOWN = 400   # names worth comparing with one that is not known
 
@@ -40,7 +43,8 @@ def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
 class Collector:
     """Adds a `DeckProblem` per finding; a path is the tuple of keys and array indices from the root of the file.
 
-    The reading ends with a `DeckError` at the first finding beyond `MOST`, so that the work on a hopeless file is bounded.
+    Problems beyond the first `MOST` are counted only (`more`). The reading ends with a `DeckError` at number `COUNTED`, so that the work on
+    a hopeless file is bounded.
 
     raw      the parsed file, from which array elements get the name shown in a message (`region.flyer.from`)
     folder   where data files that this one names are looked for; by default the folder of `file`
@@ -54,21 +58,49 @@ class Collector:
         self.problems, self.file, self.line_of, self.raw = problems, file, line_of, raw or {}
         self.folder = Path(file).parent if folder is None else folder
         self.findings = len(problems)
+        self.more = 0
         self.warnings: list[str] = []
+        self._told = {(p.line, p.key, p.message) for p in problems}
+        self._keys = {p.key for p in problems}
 
-    def add(self, path: tuple, message: str, hint: str = "") -> None:
+    def add(self, path: tuple, message: str, hint: Hint = "") -> None:
         self.findings += 1
-        problem = DeckProblem(self.file, self.line_of(path), self.key(path), message, hint)
-        if problem in self.problems:
-            return
-        if len(self.problems) >= MOST:
-            raise DeckError(sorted(self.problems, key=lambda p: p.line or 0), 1)
-        self.problems.append(problem)
+        place = self.line_of(path), self.key(path)
+        if (*place, message) not in self._told:
+            self._told.add((*place, message))
+            self._keys.add(place[1])
+            if self.full:
+                self.more += 1
+            else:
+                self.problems.append(DeckProblem(self.file, *place, message, hint() if callable(hint) else hint))
+        if len(self._told) >= COUNTED:
+            raise self.error(at_least=True)
+
+    def count(self, number: int) -> None:
+        """As `add` of a number of problems that are found already, and would not be listed."""
+        self.findings += number
+        self.more += number
+
+    def take(self, error: DeckError) -> None:
+        """Add the problems of another file that this one names."""
+        new = [problem for problem in error.problems if problem not in self.problems]
+        room = MOST - len(self.problems)
+        self.problems += new[:room]
+        self.more += error.more + len(new[room:])
+        self.findings += error.more + len(error.problems)
+
+    @property
+    def full(self) -> bool:
+        """Whether further problems are only counted: whoever adds them need not look for words."""
+        return len(self.problems) >= MOST
+
+    def error(self, at_least: bool = False) -> DeckError:
+        """The error that tells of everything found, in the order of the lines; `at_least` as of `DeckError`."""
+        return DeckError(sorted(self.problems, key=lambda p: p.line or 0), self.more, at_least)
 
     def reported(self, path: tuple) -> bool:
         """Whether something is reported of this key already."""
-        key = self.key(path)
-        return any(problem.key == key for problem in self.problems)
+        return self.key(path) in self._keys
 
     def texts(self, path: tuple, value) -> None:
         """Report every text in a value, tables and arrays searched, that no terminal and no file of results could hold."""
@@ -80,7 +112,7 @@ class Collector:
 
     def unknown(self, path: tuple, known: Iterable[str]) -> None:
         """Report a key that nobody reads."""
-        self.add(path, "unknown key", nearest(path[-1], known))
+        self.add(path, "unknown key", partial(nearest, path[-1], known))
 
     def quantity(self, path: tuple, value, unit: str) -> float | None:
         """The SI value of a quantity, or None after reporting why not."""

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from hugoniot.core.registry import Registry
-from hugoniot.errors import DeckError, DeckProblem, FileTrouble
+from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.files import read_text, toml_tables
 from hugoniot.materials import cards, schema, table_law
 from hugoniot.materials.build import assembled, doubts
@@ -88,19 +88,23 @@ def read_file(path: Path) -> dict:
 
 def make_entry(name: str, tables: dict, file: str, line_of=None, base: Material | None = None, **words) -> Entry:
     """The entry described by the tables of one material, which override `base`; DeckError with every problem found."""
-    problems: list[DeckProblem] = []
-    entry = _Reader(name, file, problems, line_of or (lambda path: None), base).read(tables, words)
+    collector = Collector([], file, line_of or (lambda path: None))
+    entry = read_entry(name, tables, collector, base, **words)
     if entry is None:
-        raise DeckError(problems)
+        raise collector.error()
     return entry
+
+
+def read_entry(name: str, tables: dict, collector: Collector, base: Material | None = None, **words) -> Entry | None:
+    """As `make_entry`, for a caller that has its collector, which gets the problems; None where there are any."""
+    return _Reader(name, collector, base).read(tables, words)
 
 
 class _Reader:
     """Resolves rows, cells and sourced values to plain tables, remembers the sources, and hands the tables to the deck's reader."""
 
-    def __init__(self, name: str, file: str, problems: list[DeckProblem], line_of, base: Material | None):
-        self.name, self.file, self.problems, self.line_of = name, file, problems, line_of
-        self.collector = Collector(problems, file, line_of)
+    def __init__(self, name: str, collector: Collector, base: Material | None):
+        self.name, self.file, self.collector, self.before = name, collector.file, collector, collector.findings
         self.sources: list[Source] = []
         self.reasons: dict[str, str] = {}
         self.others: dict[str, tuple[str, ...]] = {}
@@ -128,7 +132,7 @@ class _Reader:
             rate = read_law(known["burn"], self.law("rate", {"row": detonation["ignition_growth"].value}), self.collector,
                             ("material", self.name, "detonation"))
         material = assembled(self.name, plain, self.base, self.collector, ("material", self.name))
-        if material is None or self.problems:
+        if material is None or self.collector.findings > self.before:
             return None
         warnings = tuple(dict.fromkeys((*material.warnings, *self.marks, *(doubts(unreacted) if unreacted is not None else ()))))
         replaced = {source.quantity for source in self.sources}

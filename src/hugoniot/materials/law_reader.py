@@ -5,11 +5,12 @@ Every problem is collected, none raised.
 """
 
 import math
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from hugoniot.core.registry import Law, Registry, UnknownName, finite
+from hugoniot.core.registry import Law, Registry, finite
 from hugoniot.errors import HugoniotError
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials import table_law
@@ -38,11 +39,10 @@ def read_law(registry: Registry, table: Any, collector: Collector, path: tuple, 
         message = "missing" if name is None else "a law is given by its name, a string"
         collector.add((*path, "law"), message, f"known: {', '.join(registry.names())}")
         return None
-    try:
-        law = registry.get(name)
-    except UnknownName:
-        collector.add((*path, "law"), f"unknown {registry.family} law '{printable(name)}'", nearest(name, registry.names()))
+    if name not in registry.names():
+        collector.add((*path, "law"), f"unknown {registry.family} law '{printable(name)}'", partial(nearest, name, registry.names()))
         return None
+    law = registry.get(name)
     if registry is EOS and name == table_law.LAW and "file" in table:
         return table_law.read_table_law(table, collector, path)
     start = dict(law_table(registry, inherited)) if inherited is not None and registry.of(inherited) is law else {}

@@ -9,11 +9,11 @@ from hugoniot.laws.eos.contract import flagged
 from hugoniot.materials import schema
 from hugoniot.materials.material import Material
 from hugoniot.materials.schema import Row
+from hugoniot.materials.validity import range_of as range_of_validity
+from hugoniot.materials.validity import rounded
 from hugoniot.units import format_si
 
 FAR_BRANCH = 1000.0  # m/s: a row whose data begin above this particle velocity describes the far side of a transition, or melt
-IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
-UNKNOWN = f"not known; a warning is given only above a particle velocity of {format_si(IONISED, 'm/s')}, where atoms are ionised"
 _ROW = re.compile(r"\brow (U\d{3})\b")
 
 
@@ -22,7 +22,8 @@ def reach(material: Material) -> str:
     if flagged(material.eos, "gas"):
         return "a range in particle velocity does not apply to a gas or to detonation products"
     if material.valid_up_to is None:
-        return UNKNOWN
+        end = range_of_validity(material)
+        return f"not known; estimated: particle velocity up to {rounded(end.up)}, {end.why}; a warning is given above"
     found = f"particle velocity up to {format_si(material.valid_up_to, 'm/s')}"
     source = next((s for s in material.sources if s.quantity == "valid_up_to" and s.value == material.valid_up_to), None)
     if source is None:

@@ -5,6 +5,7 @@
 Every problem is collected, none raised.
 """
 
+from functools import partial
 from typing import Any
 
 from hugoniot.errors import DeckError, DeckProblem
@@ -73,8 +74,8 @@ def from_library(name: Any, collector: Collector, path: tuple, others: tuple[str
         collector.add(path, "a material is given by its name, a string")
         return None
     try:
-        return library.find(name[:200])
+        return library.find(name[:200], brief=collector.full)
     except DeckError as error:
         told = error.problems[0]
-        collector.add(path, printable(told.message, 200), nearest(name, others, printable(told.hint, 300)))
+        collector.add(path, printable(told.message, 200), partial(nearest, name, others, printable(told.hint, 300)))
         return None

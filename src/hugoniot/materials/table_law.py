@@ -70,8 +70,7 @@ def read_table_law(table: dict, collector: Collector, path: tuple) -> Any:
         collector.warnings += [f"{printable(file, 200)}: {note}" for note in notes]
         return found
     except DeckError as error:
-        collector.problems += [p for p in error.problems if p not in collector.problems]
-        collector.findings += len(error.problems)
+        collector.take(error)
     except FileTrouble:
         sought = collector.folder / file
         collector.add((*path, "file"), f"no readable table at '{printable(sought, 200)}'", _others(sought))

@@ -11,8 +11,8 @@ from pathlib import Path
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.files import read_text
 from hugoniot.materials import library
-from hugoniot.materials.collect import MOST, Collector, LineOf
-from hugoniot.materials.entry import Entry, make_entry, read_file
+from hugoniot.materials.collect import Collector
+from hugoniot.materials.entry import Entry, read_entry, read_file
 from hugoniot.materials.material import Material
 from hugoniot.materials.read import base_of, with_named_laws
 from hugoniot.materials.search import spelling
@@ -33,31 +33,13 @@ def read_materials(path: str | Path) -> dict[str, Entry]:
                                "write [material.NAME.eos], or [eos] for one material")
     if not isinstance(named, dict) or not named or not all(isinstance(t, dict) for t in named.values()):
         raise DeckError.single(path, None, "material", "a material must be a table", "write [material.NAME.eos]")
-    problems, found, line_of = [], {}, _line_finder(read_text(path), "material" in tables)
+    collector, found = Collector([], str(path), _line_finder(read_text(path), "material" in tables)), {}
     for name, table in named.items():
-        try:
-            found[name] = _entry(name, table, str(path), line_of)
-        except DeckError as error:
-            problems += error.problems
-        if len(problems) > MOST:        # the work on a hopeless file is bounded
-            raise DeckError(problems[:MOST], len(problems) - MOST)
-    if problems:
-        raise DeckError(problems)
+        base = base_of(table, collector, ("material", name))
+        found[name] = read_entry(name, with_named_laws(table, base, collector, ("material", name)), collector, base)
+    if collector.findings:
+        raise collector.error()
     return found
-
-
-def _entry(name: str, table: dict, file: str, line_of: LineOf) -> Entry:
-    """The entry of one material; DeckError with every problem, an unknown `base` among them."""
-    problems: list[DeckProblem] = []
-    collector, path = Collector(problems, file, line_of), ("material", name)
-    base = base_of(table, collector, path)
-    try:
-        entry = make_entry(name, with_named_laws(table, base, collector, path), file, line_of, base)
-    except DeckError as error:
-        raise DeckError([*problems, *error.problems]) from None
-    if problems:
-        raise DeckError(problems)
-    return entry
 
 
 def user_materials(places: Iterable[str | Path], beside: Iterable[str] = ()) -> dict[str, Entry]:

@@ -10,7 +10,7 @@ import errno
 import hashlib
 import os
 import pathlib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from hugoniot.errors import FileTrouble
@@ -19,6 +19,7 @@ from hugoniot.files import open_regular
 _FULL = {errno.ENOSPC, errno.EDQUOT}
 _FORBIDDEN = {errno.EACCES, errno.EPERM, errno.EROFS}
 _PLAIN = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
+_PIECE = 1 << 20    # bytes of a file read at a time
 
 
 class Written(NamedTuple):
@@ -104,11 +105,15 @@ def _put_all(handle: int, data: bytes) -> None:
         view = view[put(handle, view):]
 
 
-def digest(path) -> Written:
-    """Length and SHA-256 of a file as it stands on the disk, read in pieces; `OSError` as the system raises it."""
+def digest(path, look: Callable[[bytes], None] | None = None) -> Written:
+    """Length and SHA-256 of a file as it stands on the disk, read in pieces, which `look` is shown; `OSError` as the system raises it."""
     with os.fdopen(open_regular(path), "rb") as file:
-        found = hashlib.file_digest(file, "sha256").hexdigest()
-        return Written(file.tell(), found)
+        hashed = hashlib.sha256()
+        while piece := file.read(_PIECE):
+            hashed.update(piece)
+            if look is not None:
+                look(piece)
+        return Written(file.tell(), hashed.hexdigest())
 
 
 def _write_parts(path: pathlib.Path, parts: Iterable[bytes], durable: bool) -> Written:

@@ -8,8 +8,8 @@ import numpy as np
 
 from hugoniot.errors import FileTrouble
 from hugoniot.output.hdf5 import h5py
+from hugoniot.output.result_layout import AXES, ORDER, Described, axes_of, in_order, places_of
 
-ORDER = "columns"   # attribute of a group: the names of its columns in the order in which they were recorded
 KEPT = 32_000_000   # bytes up to which a column stays in memory; of a larger one only as long as somebody uses it
 BLOCK = 8_000_000   # bytes of a large column that are read at a time where its records are asked for one by one
 
@@ -73,15 +73,22 @@ class Columns(Mapping):
         """The columns of an open group, their attributes, and the names of the axes of each."""
         shapes, kinds, attributes, dims = {}, {}, {}, {}
         try:
-            written = str(group.attrs.get(ORDER, "")).split()   # HDF5 itself keeps names in the order of the alphabet
+            axes = {name: group[name] for name in AXES.get(str(group.name).strip("/"), ()) if name in group}
+            places = places_of(axes)
+            written = in_order(str(group.attrs.get(ORDER, "")), group)[0]   # HDF5 itself keeps names in the order of the alphabet
             for name in sorted(group, key=lambda name: (written.index(name) if name in written else -1, name)):
                 data = group[name]
                 shapes[name], kinds[name] = data.shape, data.dtype
                 attributes[name] = {k: data.attrs[k] for k in ("units", "long_name") if k in data.attrs}
-                dims[name] = (name,) if data.is_scale else tuple(data.dims[k][0].name.rpartition("/")[2] for k in range(data.ndim))
-        except (OSError, RuntimeError, AttributeError, ValueError) as error:
+                dims[name] = (name,) if name in axes else axes_of(data, places)
+        except (OSError, RuntimeError, AttributeError, ValueError, IndexError, KeyError) as error:
             raise FileTrouble(f"{place}: cannot be read ({error})") from error
         return cls(open_file, place, group.name, shapes, kinds), attributes, dims
+
+    @classmethod
+    def of(cls, open_file: Callable, place: str, group: str, found: Described) -> "tuple[Columns, dict, dict]":
+        """As `described`, of a group that was looked at already."""
+        return cls(open_file, place, group, found.shapes, found.kinds), found.attributes, found.dims
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.shapes)

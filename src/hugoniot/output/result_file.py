@@ -15,7 +15,7 @@ import numpy as np
 from hugoniot.output.atomic import Written, write_parts
 from hugoniot.output.columns import describe
 from hugoniot.output.hdf5 import h5py, sound_layout, write_hdf5
-from hugoniot.output.result_columns import ORDER
+from hugoniot.output.result_layout import ORDER
 
 FORMAT = "hugoniot-result-1"
 CSV_ROWS = 4096
@@ -121,6 +121,7 @@ def _write_tables(file, tables: dict, peaks: dict, setup: dict, check):
         w.column("block_of", mesh["block_of"], "zone")
 
     w = writer("peaks")
+    w.group.attrs[ORDER] = " ".join([*zones, *peaks])
     w.axis("zone", np.arange(zone_count))
     for name, values in {**zones, **peaks}.items():
         w.column(name, values, "zone")

@@ -17,14 +17,16 @@ import numpy as np
 
 from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.errors import FileTrouble
-from hugoniot.files import hdf5_texts_end, read_regular, read_text
+from hugoniot.files import Hdf5Texts, hdf5_texts_end, read_regular, read_text
 from hugoniot.output.atomic import digest, legible
 from hugoniot.output.codec import decode
 from hugoniot.output.hdf5 import h5py
 from hugoniot.output.result_columns import Columns, extent, shape_of
+from hugoniot.output.result_layout import Misfit, described
 from hugoniot.output.seal import MARK, intact, read_sealed
+from hugoniot.output.setup_layout import wrong_setup, wrong_summary
 
-EVERY = {"title": str, "status": str, "solver": str, "version": str, "time": (int, float), "cycles": int, "wall_seconds": (int, float)}
+_ENDLESS = "cannot be read as a result (its strings are not terminated)"
 GROUPS = ("snapshots", "gauges", "budget", "peaks", "events")
 
 
@@ -80,6 +82,8 @@ class Run:
             with legible(path):
                 head, *lines = read_text(path).splitlines()
             names, rows = head.split(","), [line.split(",") for line in lines]
+            if lost := [name for name in ("kind", "time", "position", "end_time", "end_position", "strength") if name not in names]:
+                raise ValueError(f"it has no column '{lost[0]}'")
             columns = dict(zip(names, zip(*rows, strict=True), strict=True)) if rows else dict.fromkeys(names, ())
             return {name: np.array(values) if name == "kind" else np.array(values, dtype=float) for name, values in columns.items()}
         except ValueError as error:     # only a damaged file that is read on demand
@@ -88,14 +92,19 @@ class Run:
     @cached_property
     def _setup(self) -> tuple[dict, str]:
         try:
+            if not self.partial:
+                self._described  # noqa: B018  (raises where the file is none of a run)
             with self._open() as file:
                 group = file["setup"]
                 document, deck = json.loads(group["document"].asstr()[()]), group["deck"].asstr()[()]
                 if not isinstance(document, dict):
                     raise ValueError("its document is no table")
-                return document, deck
         except (RuntimeError, KeyError, ValueError, TypeError, AttributeError, RecursionError) as error:
             raise FileTrouble(f"{self.folder / 'result.h5'}: setup: damaged, cannot be read ({error})") from error
+        wrong = "" if self.partial else wrong_setup(document, "mesh" in self._described)
+        if wrong:
+            raise FileTrouble(f"{self.folder / 'result.h5'}: not the result of a run (its set-up: {wrong})")
+        return document, deck
 
     @property
     def setup(self) -> dict:
@@ -119,7 +128,10 @@ class Run:
             state = now.st_ino, now.st_size, now.st_mtime_ns
             if state == self._looked_at.get(name):
                 return
-            found = digest(path).sha256
+            texts = Hdf5Texts()
+            found = digest(path, texts.feed if name == "result.h5" else None).sha256
+            if found == wanted and not texts.end(path):
+                raise FileTrouble(f"{path}: {_ENDLESS}")
         if found != wanted:
             raise FileTrouble(f"{path}: changed since the run ended (its SHA-256 does not agree with summary.json), so it is not read; "
                               f"what can still be read: `hugoniot info {shlex.quote(str(self.folder))} --verify`")
@@ -130,7 +142,7 @@ class Run:
         self._check("result.h5")
         try:
             if self.partial and not hdf5_texts_end(path):
-                raise FileTrouble(f"{path}: cannot be read as a result (its strings are not terminated)")
+                raise FileTrouble(f"{path}: {_ENDLESS}")
             return h5py().File(path, "r")
         except FileTrouble:
             raise
@@ -139,14 +151,31 @@ class Run:
         except (OSError, RuntimeError) as error:
             raise FileTrouble(f"{path}: cannot be read as a result ({error})") from error
 
+    @cached_property
+    def _described(self) -> dict:
+        """What result.h5 holds (`result_layout`); `FileTrouble` that names what is missing in one that another program wrote."""
+        path = self.folder / "result.h5"
+        with self._open() as file:
+            try:
+                return described(file, listed="sha256" in self.summary)
+            except (Misfit, OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError) as error:
+                what = "not the result of a run" if isinstance(error, Misfit) else "cannot be read as a result"
+                raise FileTrouble(f"{path}: {what} ({error})") from error
+
     def _table(self, group: str) -> tuple[Columns, dict, dict]:
         if group not in self._tables:
-            with self._open() as file:
-                if group not in (known := [name for name in file if name != "setup"]):
-                    if group in GROUPS:
-                        raise FileTrouble(f"{self.folder / 'result.h5'}: not the result of a run (it has no group '{group}')")
-                    raise KeyError(f"no group '{group}' in a run; it has: {', '.join(known)}")
-                self._tables[group] = Columns.described(self._open, f"{self.folder / 'result.h5'}: {group}", file[group])
+            place = f"{self.folder / 'result.h5'}: {group}"
+            if self.partial:
+                with self._open() as file:
+                    known = [name for name in file if name != "setup"]
+                    if group in known:
+                        self._tables[group] = Columns.described(self._open, place, file[group])
+            elif group in (known := sorted(self._described)):
+                self._tables[group] = Columns.of(self._open, place, group, self._described[group])
+            if group not in self._tables:
+                if group in GROUPS:
+                    raise FileTrouble(f"{self.folder / 'result.h5'}: not the result of a run (it has no group '{group}')")
+                raise KeyError(f"no group '{group}' in a run; it has: {', '.join(known)}")
         return self._tables[group]
 
     def arrays(self, group: str) -> Columns:
@@ -201,7 +230,12 @@ class Run:
 
     def gauge_names(self) -> list[str]:
         """Names of the gauges, in the order of the deck; free surfaces last."""
-        return [str(name) for name in self.arrays("gauges")["gauge"]]
+        names = [str(name) for name in self.arrays("gauges")["gauge"]]
+        pairs = {} if self.partial else sides(self.setup["gauges"])
+        lost = [whole for side, whole in pairs.items() if side in names and whole not in names]
+        if lost:
+            raise FileTrouble(f"{self.folder / 'result.h5'}: not the result of a run (gauges/gauge: has no '{lost[0]}')")
+        return names
 
     def gauge(self, field: str, name: str | None = None) -> tuple[np.ndarray, np.ndarray]:
         """(time (n,) s, value (n,) SI) of one field at one gauge; the first gauge if none is named."""
@@ -234,9 +268,8 @@ def read_post_mortem(folder) -> dict:
 
 def _of_a_run(path, summary: dict) -> dict:
     """The summary, or `FileTrouble` where it lacks what that of every run has: it was made by another program."""
-    for key, kind in EVERY.items():
-        if not isinstance(summary.get(key), kind):
-            raise FileTrouble(f"{path}: not the summary of a run ('{key}' is {'missing' if key not in summary else 'of the wrong kind'})")
+    if wrong := wrong_summary(summary):
+        raise FileTrouble(f"{path}: not the summary of a run ({wrong})")
     return summary
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from hugoniot.laws.eos.contract import reference_state
 from hugoniot.materials.plausible import unlikely
-from hugoniot.materials.reach import IONISED
+from hugoniot.materials.validity import beyond, impact, range_of
 from hugoniot.problem.model import Problem, Region
 from hugoniot.problem.profiles import LIGHT
 
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from hugoniot.problem.plane.model import Problem2D
 
 RELATIVISTIC = 0.01      # of the speed of light
+SLOW = 1000.0            # m/s: no estimated range ends below it
 # Courant numbers up to which the peak of a shock at 5 GPa is right to 0.11 %: it is 0.5 % too high at 0.8, 0.8 % at 0.9 (compatible) and
 # 6 % at 1.0 (wilkins); in two dimensions shocks of 18 GPa are 0.1 % too high at 0.4 and 0.3 % at 0.5
 LONGEST_STEP = {"compatible": 0.7, "wilkins": 0.8}
@@ -22,7 +23,7 @@ LONGEST_STEP_IN_PLANE = 0.4
 
 def advice(problem: Problem) -> list[str]:
     """Warnings of a problem that can be run."""
-    found = _unlikely(problem)
+    found = unlikely_constants(problem)
     for a, b in zip(problem.regions, problem.regions[1:]):
         if a.end != b.start:
             continue
@@ -35,21 +36,32 @@ def advice(problem: Problem) -> list[str]:
         jump = max(masses) / min(masses)
         if jump > 10.0:
             found.append(f"the zone mass jumps by a factor of {jump:.3g} between '{a.name}' and '{b.name}': expect a start-up error there")
-    for a, b in zip(problem.regions, problem.regions[1:]):
-        ua, ub = (r.velocity[k] if isinstance(r.velocity, tuple) else r.velocity for r, k in ((a, 1), (b, 0)))
-        for region in (a, b):
-            limit = problem.materials[region.material].valid_up_to
-            if limit is not None and ua - ub > 2.0 * limit:
-                found.append(f"'{a.name}' hits '{b.name}' at {ua - ub:g} m/s, but the data of '{region.material}' "
-                            f"end at a particle velocity of {limit:g} m/s")
     if problem.solver.kind == "lagrange1d":
         found += _long_steps(problem.solver.courant, LONGEST_STEP[problem.solver.integrator])
-    return found + _beyond_atoms(_met(problem)) + _relativistic(_speeds(problem))
+    return found + advice_on_speeds(problem)
+
+
+def advice_on_speeds(problem: Problem) -> list[str]:
+    """Warnings of velocities beyond the data of the materials, stated or estimated, and beyond Newton's laws."""
+    found, met = [], _driven(problem)
+    for a, b in zip(problem.regions, problem.regions[1:]):
+        closing = _end_speed(a, 1) - _end_speed(b, 0)
+        names = a.material, b.material
+        if closing <= min(problem.materials[name].valid_up_to or SLOW for name in names):      # a shock's particle velocity is part of it
+            continue
+        ends = {name: range_of(problem.materials[name]) for name in names}
+        for name, up in zip(names, impact(problem.materials[a.material], problem.materials[b.material], closing)):
+            end = ends[name]
+            if end.stated and up > end.up:
+                found.append(f"'{a.name}' hits '{b.name}' at {closing:g} m/s, which drives '{name}' to a particle velocity of about "
+                             f"{up:.3g} m/s, but the data of '{name}' end at a particle velocity of {end.up:g} m/s")
+            met[name] = max(met.get(name, 0.0), up)
+    return list(dict.fromkeys(found)) + _beyond_estimate(problem, met) + _relativistic(_speeds(problem))
 
 
 def advice_on_blocks(problem: "Problem2D") -> list[str]:
     """The same of two dimensions: forgotten units, and the speeds of blocks, whose mean velocities say how fast they may meet."""
-    found = _unlikely(problem)
+    found = unlikely_constants(problem)
     nodes = [velocity.reshape(2, -1) for velocity in problem.velocities()]
     means = np.array([velocity.mean(axis=1) for velocity in nodes])
     fastest: dict[str, tuple[float, str, str]] = {}
@@ -63,9 +75,9 @@ def advice_on_blocks(problem: "Problem2D") -> list[str]:
         if limit is not None and speed > 2.0 * limit:
             found.append(f"'{name}' moves at {speed:g} m/s relative to '{other}', but the data of '{material}' "
                          f"end at a particle velocity of {limit:g} m/s")
-    unstated = {material: 0.5 * speed for material, (speed, *_) in fastest.items() if problem.materials[material].valid_up_to is None}
+    met = {material: 0.5 * speed for material, (speed, *_) in fastest.items()}
     speeds = {f"block '{block.name}'": float(np.hypot(*velocity).max()) for block, velocity in zip(problem.blocks, nodes)}
-    return found + _long_steps(problem.solver.courant, LONGEST_STEP_IN_PLANE) + _beyond_atoms(unstated) + _relativistic(speeds)
+    return found + _long_steps(problem.solver.courant, LONGEST_STEP_IN_PLANE) + _beyond_estimate(problem, met) + _relativistic(speeds)
 
 
 def _long_steps(courant: float | None, most: float) -> list[str]:
@@ -75,7 +87,7 @@ def _long_steps(courant: float | None, most: float) -> list[str]:
     return [f"courant = {courant:g}: with steps this long shocks overshoot and ring; use {most:g} or less"]
 
 
-def _unlikely(problem: "Problem | Problem2D") -> list[str]:
+def unlikely_constants(problem: "Problem | Problem2D") -> list[str]:
     return [text for name, material in problem.materials.items() for text in unlikely(name, material)]
 
 
@@ -94,30 +106,29 @@ def _relativistic(speeds: dict[str, float]) -> list[str]:
             "is the unit right?" for name, speed in speeds.items() if speed > RELATIVISTIC * LIGHT]
 
 
-def _met(problem: Problem) -> dict[str, float]:
-    """Particle velocity to which a material without a stated range is driven where regions meet, m/s."""
+def _driven(problem: Problem) -> dict[str, float]:
+    """Particle velocity to which walls and driven ends drive the materials beside them, m/s."""
     met: dict[str, float] = {}
-
-    def meets(region: Region, speed: float) -> None:
-        if problem.materials[region.material].valid_up_to is None:
-            met[region.material] = max(met.get(region.material, 0.0), speed)
-
-    for a, b in zip(problem.regions, problem.regions[1:]):
-        speed = 0.5 * max(_end_speed(a, 1) - _end_speed(b, 0), 0.0)
-        meets(a, speed)
-        meets(b, speed)
     for boundary, region, side in ((problem.left, problem.regions[0], 0), (problem.right, problem.regions[-1], 1)):
-        if boundary.kind == "fixed":
-            meets(region, abs(_end_speed(region, side)))
+        inward, speed = 1.0 - 2.0 * side, _end_speed(region, side)
+        given = {"fixed": (0.0,), "velocity": (boundary.pulse.amplitude, *boundary.pulse.values) if boundary.pulse else ()}
+        up = max((inward * (value - speed) for value in given.get(boundary.kind, ())), default=0.0)
+        met[region.material] = max(met.get(region.material, 0.0), up)
     return met
 
 
-def _beyond_atoms(met: dict[str, float]) -> list[str]:
-    """Materials without a stated range that meet something so fast that their atoms lose electrons."""
-    return [f"material '{name}' is driven to a particle velocity of about {speed:.3g} m/s "
-            f"(a specific energy of {0.5e-6 * speed**2:.3g} MJ/kg): "
-            f"its atoms are ionised there, which no law of a deck describes, and no range of its data is stated (valid_up_to)"
-            for name, speed in met.items() if speed > IONISED]
+def _beyond_estimate(problem: "Problem | Problem2D", met: dict[str, float]) -> list[str]:
+    """Materials without a stated range that are driven beyond the estimated one."""
+    found = []
+    for name, up in met.items():
+        if up <= SLOW:
+            continue
+        end = range_of(problem.materials[name])
+        if not end.stated and up > end.up:
+            found.append(f"material '{name}' is driven to a particle velocity of about {up:.3g} m/s "
+                         f"(a specific energy of {0.5e-6 * up**2:.3g} MJ/kg): "
+                         f"{beyond(end)}, and no range of its data is stated (valid_up_to)")
+    return found
 
 
 def _end_speed(region: Region, side: int) -> float:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence, Set
 from dataclasses import replace
+from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy as np
 from hugoniot.errors import HugoniotError
 from hugoniot.laws.eos.contract import density_limits, sound_speed_squared
 from hugoniot.materials import burning
-from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.collect import Collector, Hint, nearest, printable
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.material import Material
 from hugoniot.materials.read import from_library
@@ -19,7 +20,7 @@ from hugoniot.mesh.line import graded_nodes
 from hugoniot.problem import windows
 from hugoniot.problem.gauges import is_interface
 from hugoniot.problem.model import Gauge, Interface, Profile, Region
-from hugoniot.problem.profiles import read_profile, values_at
+from hugoniot.problem.profiles import MOST, read_profile, size_of, values_at
 from hugoniot.units import format_si
 
 MOST_ZONES = 10_000_000
@@ -39,6 +40,7 @@ def read_regions(rows: Sequence, raw: Any, geometry: Any, own: dict[str, Materia
     used: dict[str, Material] = {}
     seen: dict[str, int] = {}
     failed: set[str] = set()
+    held = 0        # values of profiles
     for i, row in enumerate(rows):
         path = ("region", i)
         if row is None:
@@ -53,7 +55,11 @@ def read_regions(rows: Sequence, raw: Any, geometry: Any, own: dict[str, Materia
         if geometry in ("cylindrical", "spherical") and row.start < 0.0:
             collector.add((*path, "from"), f"in {geometry} geometry positions are radii and must not be negative, got {row.start:g} m")
         check_state(row, used.get(row.material), collector, path)
-        profile = checked_profile(row, zones, used.get(row.material), collector, path)
+        profile = None if held > MOST else checked_profile(row, zones, used.get(row.material), collector, path)
+        held += size_of(profile)
+        if profile is not None and held > MOST:
+            collector.add((*path, "profile"), f"more than {MOST} values in the profiles up to here",
+                          "use fewer: between them a profile is linear")
         if zones is not None and collector.findings == before:
             values = row.model_dump(exclude={"zone_size", "zones", "profile"})
             found.append((Region(**values, zones=zones, profile=profile), i))
@@ -220,7 +226,7 @@ def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Coll
         unknown = [(k, name) for k, name in enumerate(row.between) if name not in order]
         for k, name in unknown if None not in broken else ():
             if name not in broken:
-                collector.add((*path, "between", k), f"no region '{printable(name)}'", nearest(name, order))
+                collector.add((*path, "between", k), f"no region '{printable(name)}'", partial(nearest, name, order))
         if unknown or broken:
             continue
         a, b = sorted(order[name] for name in row.between)
@@ -253,7 +259,7 @@ def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collecto
             collector.add((*path, "name"), f"too long a name for a gauge at an interface: '{printable(row.name)}'",
                           f"use up to {LONGEST_NAME - len(' right')} characters: the gauges on its two sides add ' left' and ' right'")
         if regions:
-            wrong = None if row.at in known else _wrong_place(row.at, regions)
+            wrong = None if row.at in known else _wrong_place(row.at, regions, known)
             if wrong:
                 collector.add((*path, "at"), *wrong)
         factor = windows.factor_of(row, regions, collector, path)
@@ -267,20 +273,20 @@ def _places(regions: tuple[Region, ...]) -> set[str]:
     return {"free surface left", "free surface right"} | touching | {f"{r.name}:{side}" for r in regions for side in ("left", "right")}
 
 
-def _wrong_place(at: float | str, regions: tuple[Region, ...]) -> tuple[str, str] | None:
-    """Message and hint where a gauge has no material to sit on."""
+def _wrong_place(at: float | str, regions: tuple[Region, ...], known: set[str]) -> tuple[str, Hint] | None:
+    """Message and hint where a gauge has no material to sit on; `known` are the places with a name, and `at` is none of them."""
     if isinstance(at, float):
         if any(r.start <= at <= r.end for r in regions):
             return None
         spans = ", ".join(f"'{r.name}' {format_si(r.start, 'm')} to {format_si(r.end, 'm')}" for r in regions[:4])
         return f"no material at {format_si(at, 'm')}", f"regions: {spans}" + (", ..." if len(regions) > 4 else "")
-    names = [r.name for r in regions]
-    places = ["free surface left", "free surface right"]
+    turned = "/".join(reversed(at.split("/")))
+    hint = f"name the left region first: '{turned}'" if turned in known else partial(_nearest_place, at, regions)
+    return f"unknown place '{printable(at)}'", hint
+
+
+def _nearest_place(at: str, regions: tuple[Region, ...]) -> str:
     touching = [f"{a.name}/{b.name}" for a, b in zip(regions, regions[1:])]
-    if at in places or at in touching or at in [f"{n}:{side}" for n in names for side in ("left", "right")]:
-        return None
-    backwards = [f"{b.name}/{a.name}" for a, b in zip(regions, regions[1:])]
-    if at in backwards:
-        return f"unknown place '{printable(at)}'", f"name the left region first: '{touching[backwards.index(at)]}'"
-    known = places + touching + [f"{n}:{side}" for n in names[:20] for side in ("left", "right")]
-    return f"unknown place '{printable(at)}'", nearest(at, known, f"such as '4 mm', '{known[-1]}', 'free surface right'")
+    sides = [f"{r.name}:{side}" for r in regions[:20] for side in ("left", "right")]
+    known = ["free surface left", "free surface right", *touching, *sides]
+    return nearest(at, known, f"such as '4 mm', '{known[-1]}', 'free surface right'")

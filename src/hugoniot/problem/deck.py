@@ -89,8 +89,7 @@ def read_tables(raw: dict, text: str, name: str, overrides: dict[str, Any] | Non
     with np.errstate(all="ignore"):   # a state that no law reaches is told in words
         problem, warnings = module.read(raw, model, materials, collector)
     if collector.problems or problem is None:
-        problems = sorted(collector.problems, key=lambda p: (p.line or 0))
-        raise DeckError(problems)
+        raise collector.error()
     if not problem.title:
         problem = replace(problem, title=printable(Path(name).stem, 200))
     marked = [f"material '{n}': {w}" for n, m in getattr(problem, "materials", {}).items() for w in getattr(m, "warnings", ())]

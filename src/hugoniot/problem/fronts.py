@@ -17,6 +17,7 @@ from hugoniot.materials import burning
 from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.material import Material
 from hugoniot.problem import checks, explosives, lagrangian, windows
+from hugoniot.problem.advice import advice_on_speeds, unlikely_constants
 from hugoniot.problem.defaults import completed
 from hugoniot.problem.lagrangian import (
     BoundaryTables,
@@ -111,7 +112,8 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
         collector.add(*defect)
     for path, message in defects(problem):
         collector.add(path, message)
-    return (None if collector.problems else completed(problem)), warnings + windows.advice(problem)
+    said = unlikely_constants(problem) + advice_on_speeds(problem) + windows.advice(problem)
+    return (None if collector.problems else completed(problem)), warnings + said
 
 
 def with_defaults(options) -> dict:

@@ -21,10 +21,12 @@ from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.problem.arithmetic import EXAMPLE, FUNCTIONS, Expression, Number, Trouble
 from hugoniot.problem.model import Profile
 from hugoniot.problem.schema import Table
-from hugoniot.units import UnitError, parse, powers_of
+from hugoniot.units import UnitError, parse, parse_all, powers_of
 
 UNITS = {"velocity": "m/s", "density": "kg/m^3", "pressure": "Pa", "temperature": "K", "energy": "J/kg"}
-LONGEST = 1_000_000      # values of a table
+LONGEST = 150_000        # values of a field of a table, lines of a file
+LARGEST = 50_000_000     # bytes of a file
+MOST = 700_000           # values of all profiles of a deck: that of a run holds them all, and must be one that can be read again
 MUCH_LONGER = 2.0        # than its region: a profile whose unit is doubted
 LIGHT = 299_792_458.0    # m/s
 _EXAMPLE = 'write it like "10 m/s * sin(2 * pi * x / 5 mm)", with + - * / ** and ' + ", ".join(FUNCTIONS)
@@ -34,7 +36,8 @@ _ENTRY = WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}, {"typ
 class ProfileTable(Table):
     """A state that varies along a region: expressions in x, or arrays over positions, or a file of columns."""
 
-    file: str | None = Field(None, max_length=1000, description="file beside the deck, columns such as position [mm], velocity [m/s]")
+    file: str | None = Field(
+        None, max_length=1000, description="file beside the deck, up to 150 000 lines, columns such as position [mm], velocity [m/s]")
     positions: list[Any] | None = Field(None, max_length=LONGEST, description="increasing positions of the arrays")
     velocity: Annotated[Any, _ENTRY] = Field(None, description="expression in x, or an array over positions")
     density: Annotated[Any, _ENTRY] = Field(None, description="the same for the density")
@@ -149,8 +152,8 @@ def _check_table(profile: Profile, start: float, end: float, collector: Collecto
 def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
     """The columns of a file beside the deck."""
     try:
-        text = read_regular(collector.folder / name).decode("utf-8-sig", errors="replace")
-        rows = [row for _, row in csv_rows(text, name) if any(map(str.strip, row))]
+        text = read_regular(collector.folder / name, LARGEST).decode("utf-8-sig", errors="replace")
+        rows = [row for _, row in csv_rows(text, name, most=LONGEST) if any(map(str.strip, row))]
     except DeckError as error:
         collector.add(path, f"'{printable(name)}', line {error.problems[0].line}: {error.problems[0].message}", error.problems[0].hint)
         return None
@@ -170,8 +173,7 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
             collector.add(path, f"column '{field}' appears twice")
             return None
         try:
-            values = [float(row[k]) for row in rows[1:]]
-            columns[field] = tuple(parse(f"{value!r} {unit}" if unit else value, UNITS.get(field, "m")) for value in values)
+            columns[field] = tuple(parse_all((float(row[k]) for row in rows[1:]), unit, UNITS.get(field, "m")))
         except UnitError as error:
             collector.add(path, f"column '{field}': {error.message}", error.hint)
             return None
@@ -182,7 +184,12 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
     if places is None or not columns:
         collector.add(path, "needs a column 'position' and at least one other", "such as: position [mm], velocity [m/s]")
         return None
-    return Profile(places, tuple(columns.items()))
+    return Profile(places, tuple((name, columns[name]) for name in UNITS if name in columns))      # the order of arrays in a deck
+
+
+def size_of(profile: Profile | None) -> int:
+    """Numbers that a deck has to hold for it."""
+    return 0 if profile is None else len(profile.positions) * (1 + len(profile.fields))
 
 
 def profile_value(profile: Profile) -> dict[str, Any]:

@@ -11,7 +11,6 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import PydanticCustomError, core_schema
 
-from hugoniot.errors import DeckError
 from hugoniot.laws import mixture, viscosity  # noqa: F401  (enrols the laws)
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.units import UnitError, parse
@@ -84,10 +83,10 @@ def validate(model: type[BaseModel], raw: Any, collector: Collector, path: tuple
     except ValidationError as error:
         found = [item for item in error.errors(include_url=False) if tuple(item["loc"])[:1] not in [(s,) for s in skip]]
         for k, item in enumerate(found):
-            try:
-                collector.add((*path, *item["loc"]), *_in_words(item, model))
-            except DeckError as enough:
-                raise DeckError(enough.problems, enough.more + len(found) - k - 1) from None
+            if collector.full:
+                collector.count(len(found) - k)     # they need no words
+                break
+            collector.add((*path, *item["loc"]), *_in_words(item, model))
         return None
 
 

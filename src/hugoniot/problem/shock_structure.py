@@ -15,6 +15,7 @@ from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks
+from hugoniot.problem.advice import unlikely_constants
 from hugoniot.problem.defaults import completed
 from hugoniot.problem.lagrangian import OutputTable, Positive, RegionTable, _known, _output, _parts
 from hugoniot.problem.model import Boundary, Problem, SolverOptions
@@ -98,7 +99,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
                            max_cycles=model.solver.max_cycles, options=MappingProxyType(options))
     left, right = Boundary(model.boundary.left), Boundary(model.boundary.right)
     problem = Problem(model.title, "planar", model.stop_time, regions, used, left, right, solver=solver, output=output)
-    return completed(problem), warnings
+    return completed(problem), warnings + unlikely_constants(problem)
 
 
 def _as_fluid(name: str, material: Material, tables: Any, collector: Collector, warnings: list[str]) -> Material:

@@ -1,5 +1,7 @@
 """Gauges that look at an interface through a window, as a velocity interferometer does."""
 
+from functools import partial
+
 from hugoniot.materials import library
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.problem.gauges import is_interface
@@ -20,7 +22,8 @@ def factor_of(row, regions: tuple[Region, ...], collector: Collector, path: tupl
     region = next((r for r in regions if r.name == row.window), None)
     if region is None:
         if regions:
-            collector.add((*path, "window"), f"no region '{printable(row.window)}'", nearest(row.window, [r.name for r in regions]))
+            names = [r.name for r in regions]
+            collector.add((*path, "window"), f"no region '{printable(row.window)}'", partial(nearest, row.window, names))
         return None
     if row.window_factor is not None:
         if row.wavelength is not None:

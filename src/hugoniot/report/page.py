@@ -27,8 +27,8 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
         if key in spall:
             least = "at least " if is_lower_bound(key, spall) else ""
             rows.append((name, least + number(float(f"{spall[key]:.4g}"), unit)))
-    if summary["voids_opened"] or summary["voids_closed"]:
-        rows.append(("voids opened / closed", f"{summary['voids_opened']} / {summary['voids_closed']}"))
+    if summary.get("voids_opened") or summary.get("voids_closed"):
+        rows.append(("voids opened / closed", f"{summary.get('voids_opened', 0)} / {summary.get('voids_closed', 0)}"))
     if summary.get("interfaces_separated"):
         rows.append(("interfaces separated", str(summary["interfaces_separated"])))
     if summary.get("cells_halved"):
@@ -38,8 +38,8 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
         unit = "J" + PER_AREA[run.setup["geometry"]]
         rows += [("heat from contact", number(summary["contact_heat"], unit)), ("work of friction", number(summary["friction_work"], unit))]
     for name in ("mass", "momentum", "energy"):
-        error = summary[f"{name}_error"]
-        rows.append((f"relative {name} error", f"{error:.1e}" if error else "0"))
+        error = summary.get(f"{name}_error")
+        rows.append((f"relative {name} error", "not known" if error is None else f"{error:.1e}" if error else "0"))
     return rows
 
 
@@ -105,7 +105,7 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
     css = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
     cautions = "".join(f'<p class="warning">{text(words)}</p>' for words in sections.warnings(run))
     title = text(setup["title"])
-    deck = f"<pre>{text(run.deck)}</pre><p class=quiet>SHA-256 {text(summary['deck_sha256'])}</p>"
+    deck = f"<pre>{text(run.deck)}</pre><p class=quiet>SHA-256 {text(summary.get('deck_sha256', 'not known'))}</p>"
     solver = setup["solver"]["kind"] + (f" ({setup['solver']['integrator']})" if setup["solver"]["kind"].startswith("lagrange") else "")
     intro = (f"{text(setup['geometry'])}, solver {text(solver)}, "
              f"hugoniot {text(setup['version'])}; status: {text(summary['status'])}")

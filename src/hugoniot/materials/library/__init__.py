@@ -103,12 +103,12 @@ def names() -> list[str]:
     return list(index())
 
 
-def find(name: str) -> Material:
-    """The material of that name, alias, or row id; `UnknownMaterial` with the nearest names."""
-    return entry(name).material
+def find(name: str, brief: bool = False) -> Material:
+    """The material of that name, alias, or row id; `UnknownMaterial` with the nearest names, which `brief` does not look for."""
+    return entry(name, brief=brief).material
 
 
-def entry(name: str, also: Mapping[str, str] | None = None) -> Entry:
+def entry(name: str, also: Mapping[str, str] | None = None, brief: bool = False) -> Entry:
     """As `find`, with title, reasons, what is missing, unreacted explosive and detonation data.
 
     also   further names the message for an unknown one may offer: spelling -> name
@@ -127,7 +127,7 @@ def entry(name: str, also: Mapping[str, str] | None = None) -> Entry:
     rows = uncurated().get(spelling(name), ())
     if len(rows) == 1:
         return _of_row(rows[0])
-    raise _unknown(name, rows, also or {})
+    raise _unknown(name, rows, also or {}, brief)
 
 
 def find_all() -> list[Entry]:
@@ -272,12 +272,13 @@ def windows(name: str) -> tuple[schema.Row, ...]:
     return tuple(row for row in schema.table("windows").values() if (curated_name(row.material) or spelling(row.material)) == known)
 
 
-def _unknown(name: str, rows: tuple[str, ...], also: Mapping[str, str]) -> UnknownMaterial:
+def _unknown(name: str, rows: tuple[str, ...], also: Mapping[str, str], brief: bool) -> UnknownMaterial:
     if rows:
         hint = f"choose one of the sources by its row: {', '.join(f'{i} ({schema.row(i).source[:40]})' for i in rows)}"
         message = f"'{name}' is not a curated material, and {len(rows)} sources have it"
     else:
-        near = nearest(name, {**also, **spellings(), **{k: schema.row(v[0]).material for k, v in uncurated().items()}})
+        known = {} if brief else {**also, **spellings(), **{k: schema.row(v[0]).material for k, v in uncurated().items()}}
+        near = nearest(name, known) if known else []
         message = f"unknown material '{name[:60]}'"
         hint = f"nearest: {', '.join(near)}" if near else "hugoniot material list shows the library"
     return UnknownMaterial([DeckProblem("library", None, "material", message, hint)])

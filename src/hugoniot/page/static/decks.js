@@ -105,7 +105,7 @@ at = "free surface right"
     runButton.disabled = !found.ok;
     lineNumbers();
     const cost = found.estimate;
-    H.clear(problems).append(found.ok ? H.h("p", {class: "good", style: {margin: 0}}, `The deck is valid: ${found.title}, ${cost.zones} zones, ${cost.snapshots} snapshots.`) : H.h("p", {class: "bad", style: {margin: 0}}, `${wrong.length} problem${wrong.length > 1 ? "s" : ""}${chart.spec.marks ? "; the drawing is that of the last valid deck" : ""}`),
+    H.clear(problems).append(found.ok ? H.h("p", {class: "good", style: {margin: 0}}, `The deck is valid: ${found.title}, ${cost.zones} zones, ${cost.snapshots} snapshots.`) : H.h("p", {class: "bad", style: {margin: 0}}, `${found.count || "1 problem"}${chart.spec.marks ? "; the drawing is that of the last valid deck" : ""}`),
       found.ok ? "" : H.h("ol", {class: "problems"}, wrong.map(p => H.h("li", {}, H.h("button", {type: "button", onclick: () => goTo(p.line)}, p.text)))),
       ...(found.warnings || []).map(w => H.h("div", {class: "small quiet"}, `warning: ${w}`)));
     if (found.ok) { if (found.kind !== kind) { kind = found.kind; words = null; } drawSetup(found.drawing); }

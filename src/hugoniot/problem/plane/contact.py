@@ -1,6 +1,7 @@
 """What a deck says of contact: laws between bodies, and rigid bodies; checked against the blocks, and written back."""
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -32,7 +33,7 @@ def read_contacts(rows: Sequence, blocks: Sequence[str], rigid: Sequence[str], c
             collector.add((*path, "friction"), "does not apply to bonded contact, which does not slide", "leave it out")
         for name in row.between or ():
             if name not in known:
-                collector.add((*path, "between"), f"no block or rigid body '{printable(name)}'", nearest(name, known))
+                collector.add((*path, "between"), f"no block or rigid body '{printable(name)}'", partial(nearest, name, known))
         if row.between and all(name in rigid for name in row.between):
             collector.add((*path, "between"), "contact between two rigid bodies is not computed", "name a block")
         key = None if row.between is None else tuple(sorted(row.between))

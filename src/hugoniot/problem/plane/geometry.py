@@ -97,7 +97,7 @@ def _read_csv(name: str, unit: str, collector: Collector, path: tuple) -> tuple 
     file = Path(name) if Path(name).is_absolute() else collector.folder / name
     try:
         factor = convert(1.0, unit, "m")
-        rows = [(k, row) for k, row in csv_rows(read_text(file), name) if any(cell.strip() for cell in row)]
+        rows = [(k, row) for k, row in csv_rows(read_text(file), name, most=2 * MOST_POINTS) if any(cell.strip() for cell in row)]
     except UnitError as error:
         collector.add((*path[:-1], "unit"), error.message, error.hint)
         return None
