@@ -58,7 +58,7 @@ def test_peaks_of_zones_are_those_of_lagrange1d(runs, mode):
 def test_gauges_and_surfaces_are_compared_with_those_of_lagrange1d(runs, mode):
     found = CliRunner().invoke(build_app("compare"), ["compare", str(runs[mode].folder), str(runs["lagrange1d"].folder)])
     assert found.exit_code == 0, found.output
-    assert f"a by fronts ({mode}); b by lagrange1d; otherwise the same" in found.output
+    assert f"a was run with fronts ({mode}), b with lagrange1d; otherwise the same problem" in found.output
     from hugoniot.output.compare import compare
 
     pairs = compare(runs[mode], runs["lagrange1d"])

@@ -30,7 +30,7 @@ SOLID = 'law = "mie_gruneisen"\nrho0 = 2700.0\nc0 = 5200.0\ns = 1.5\ngamma0 = 2.
 GAS = 'law = "ideal_gas"\ngamma = 1.4\nrho0 = 1.2\n'
 
 @pytest.mark.parametrize("law, velocity, words", [
-    (SOLID, 50e3, "312 MJ/kg: its atoms are ionised there"), (GAS, 1e8, "its atoms are ionised there"),
+    (SOLID, 50e3, "312 MJ/kg): its atoms are ionised there"), (GAS, 1e8, "its atoms are ionised there"),
     (SOLID.replace("2700.0", "8.19").replace("5200.0", "4.6"), 300.0, 'c0 = 4.6 m/s for a solid or liquid? A bare number is SI; write "4.6 km/s"'),
     (SOLID.replace("2700.0", "8.19"), 300.0, 'rho0 = 8.19 kg/m^3 for a solid or liquid? A bare number is SI; write "8.19 g/cm^3"'),
     (SOLID.replace("s = 1.5", "s = 0.9").replace("5200.0", "2500.0"), 14e3, "that is beyond 5770 m/s, where its law compresses it more than 4 times"),
