@@ -16,9 +16,9 @@ ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressu
 
 
 def zone_fields(zones) -> dict[str, np.ndarray]:
-    """Copies of the fields of zones, by the words of `core.fields`."""
-    found = {name: zones[row].copy() for name, row in ZONE_FIELDS.items()}
-    return found | {"deviator_zz": -(found["deviator_xx"] + found["deviator_yy"]), "mass": zones[Z.mass].copy()}
+    """The fields of zones, by the words of `core.fields`: views of the table, as far as they stand in it."""
+    found = {name: zones[row] for name, row in ZONE_FIELDS.items()}
+    return found | {"deviator_zz": -(found["deviator_xx"] + found["deviator_yy"]), "mass": zones[Z.mass]}
 
 
 def largest_speed(problem, zones, nodes) -> float:

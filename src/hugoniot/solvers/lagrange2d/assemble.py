@@ -56,6 +56,7 @@ class Numbering:
         order = np.argsort(self.nodes, kind="stable")
         self.representative = order[np.searchsorted(self.nodes[order], np.arange(mesh.nodes.shape[1]))]
         self.copies = np.bincount(self.nodes, minlength=mesh.nodes.shape[1])
+        self.alone = np.array_equal(self.representative, np.arange(self.total))      # whether table and mesh number nodes alike
 
     def local(self, block: int, i, j):
         """Place in the table of node (i, j) of a block."""

@@ -209,7 +209,7 @@ class Lagrange2D(Shown, NothingToAdd):
 
     def _read_gauges(self):
         self.gauge_times.append(self.time)
-        self.gauge_rows.append(self.sampler(self.state()) if self.sampler is not None else ())
+        self.gauge_rows.append(self.sampler(self._glimpse()) if self.sampler is not None else ())
         self._next_gauge()
 
     def _next_gauge(self):
@@ -226,9 +226,17 @@ class Lagrange2D(Shown, NothingToAdd):
     # -- what observers see ----------------------------------------------------------------------------------
     def state(self) -> State2D:
         """Copies of all fields now."""
+        seen = self._glimpse()
+        zones, nodes = ({name: values.copy() for name, values in fields.items()} for fields in (seen.zones, seen.nodes))
+        return State2D(seen.time, seen.cycle, zones, nodes, seen.zone_nodes)
+
+    def _glimpse(self) -> State2D:
+        """The state now, most of it views that the next step changes: copies would take gauges as long as a step."""
         zones = self.erosion.seen(accounts.zone_fields(self.zones) | (self.burn_fields() if self.burning else {}))
         rows = {"position_x": N.x, "position_y": N.y, "velocity_x": N.u, "velocity_y": N.v}
-        nodes = {name: self.nodes[row, self.numbering.representative] for name, row in rows.items()}
+        numbers = self.numbering.representative
+        places = slice(0, len(numbers)) if self.numbering.alone else numbers
+        nodes = {name: self.nodes[row, places] for name, row in rows.items()}
         return State2D(self.time, self.cycle, zones, nodes | self.contact.fields(), self.problem.mesh.zone_nodes)
 
     def burn_fields(self) -> dict[str, np.ndarray]:
