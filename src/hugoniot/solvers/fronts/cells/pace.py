@@ -5,6 +5,7 @@ import math
 import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS
+from hugoniot.solvers.fronts.cells.pores import is_porous
 from hugoniot.solvers.fronts.cells.spacing import extent, share_of, targets, widths
 from hugoniot.solvers.fronts.cells.tables import (
     AIM,
@@ -34,7 +35,7 @@ SQUEEZE = 0.5      # of its width: how much a step may close a cell
 AMPLE = 0.3        # of the width aimed at: cells no narrower set the step that is normal
 CLOSE = 0.01       # of the normal step: a step that small means waves too close to each other to be followed
 GROWS = 0.01       # growth per step of an interval that soon makes room for longer steps
-FAN_GROWS = 0.0006  # of a fan, which starts with many cells (births.py)
+SLOW_GROWS = 0.0006  # of a fan, which starts with many cells (births.py), and of crushed pores, whose shock hardly outruns them
 LONGER = 1.3       # a step may be this much longer to end in a meeting
 
 
@@ -103,7 +104,8 @@ def step_length(grid, rules, work, fronts, count, longest, d):
                 normal = min(normal, w[OWN, i])
         if a <= least < b:
             fan = (fronts[k, KIND] == HEAD and fronts[k + 1, KIND] == TAIL) or (fronts[k, KIND] == TAIL and fronts[k + 1, KIND] == HEAD)
-            crowd = 1.0 if (w[KNOWN, b] - w[KNOWN, a]) * dt < (FAN_GROWS if fan else GROWS) * (end - start) else 0.0
+            slow = fan or is_porous(rules, grid.region[a])
+            crowd = 1.0 if (w[KNOWN, b] - w[KNOWN, a]) * dt < (SLOW_GROWS if slow else GROWS) * (end - start) else 0.0
     numbers[CROWDED] = crowd if not newborn and dt < CLOSE * normal else 0.0
     return (soonest, True) if soonest <= dt else (dt, False)
 
