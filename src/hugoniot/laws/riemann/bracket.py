@@ -7,6 +7,8 @@ Source: Anderson and Bjoerck, BIT 13 (1973) 253.
 def root(value, low: float, high: float, at_low: float, at_high: float) -> float:
     """Where `value`, of opposite signs at both ends, vanishes: to rounding of the larger end."""
     least = 2e-16 * max(abs(low), abs(high))
+    if at_high == 0.0:
+        return high
     for k in range(200):
         width = high - low
         if abs(width) <= least or at_low == 0.0:
