@@ -3,7 +3,7 @@
 import math
 import random
 import warnings
-from types import MappingProxyType
+from types import MappingProxyType, SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,15 +11,18 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from hugoniot.errors import HugoniotError
+from hugoniot.laws.eos import p_lambda
 from hugoniot.laws.eos.contract import EOS, pressure, reference_state, remembered, temperature
 from hugoniot.laws.riemann import solver as exact
-from hugoniot.laws.riemann.branch import Matter, State
+from hugoniot.laws.riemann.branch import Matter, State, wave_speed_squared
 from hugoniot.laws.riemann.curve import Curve
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials.material import Material
 from hugoniot.problem import fronts
 from hugoniot.problem.model import Boundary, Problem, Pulse, Region, SolverOptions
 from hugoniot.simulate import make_solver
+from hugoniot.solvers.fronts.cutting import slices
+from hugoniot.solvers.fronts.line import Piece, content, densities
 from porous_impacts import ALPHA0, COPPER, FREE, LAWS, P_E, P_S, REST, SOLID, impact, marched, table
 
 
@@ -201,6 +204,22 @@ def test_a_spreading_wave_and_its_shock_share_a_front():
     assert max(solver.errors().values()) < 1e-13
     zones = solver.state().zones
     assert (np.diff(zones["compaction"][4:28]) <= 0.0).all() and len(set(zones["compaction"][4:28])) > 3
+
+
+@pytest.mark.parametrize("direction", [-1, 1])
+def test_a_compaction_fan_is_cut_where_its_sound_speed_changes(direction):
+    """With an exponent of 2 the velocity changes by a tenth of the sound speed, which falls to a quarter: two slices were not enough."""
+    law = p_lambda.build(SOLID, 2100.0, 25e9, 0.4e9, 2.0)
+    matter = Matter(law)
+    (fan,) = Curve(matter, State(2100.0, 0.0, 0.0, 0.0), direction).waves(2.4e8)
+    piece, bench, edges = Piece("fan", 0, fan.ahead, fan), SimpleNamespace(fan_step=0.1, matters=[matter]), sorted((1e-6 * fan.head, 1e-6 * fan.tail))
+    places, found = slices(piece, *edges, 1e-6, bench)
+    speeds = [math.sqrt(wave_speed_squared(one.state.rho, one.state.e, fan.path.branch)) for one in found][::-direction]
+    assert (places[0], places[-1]) == tuple(edges) and (np.diff(places) > 0.0).all()
+    assert len(found) > 10 and all(1.0 < a / b < 1.25 for a, b in zip(speeds, speeds[1:]))
+    assert np.abs(np.diff([one.state.sigma for one in found])).max() < 0.15 * fan.behind.sigma
+    held = sum(densities(one.state) * (b - a) for one, a, b in zip(found, places, places[1:]))
+    assert held == pytest.approx(content(piece, *edges, 1e-6), rel=1e-12)
 
 
 # -- runs ---------------------------------------------------------------------------------------------------------------

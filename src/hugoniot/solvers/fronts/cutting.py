@@ -18,9 +18,7 @@ FEWEST, MOST = 2, 64
 def slices(piece: Piece, left: float, right: float, time: float, bench: Bench) -> tuple[list[float], list[Piece]]:
     """(n + 1 positions, n constant pieces) that replace a fan between its edges at a time."""
     wave = piece.wave
-    fall = abs(wave.behind.u - wave.ahead.u)
-    count = min(max(math.ceil(fall / (bench.fan_step * wave.path.speed(wave.path.nodes[0]))), FEWEST), MOST)
-    edges = np.linspace(left, right, count + 1).tolist()
+    edges = _edges_of_compaction(piece, left, right, time, bench) if wave.path.way > 0.0 else _edges(wave, left, right, bench)
     matter = bench.matters[piece.region]
     branch = wave.path.branch
     found = []
@@ -35,6 +33,31 @@ def slices(piece: Piece, left: float, right: float, time: float, bench: Bench) -
     if wave.behind.rho == 0.0:
         found[0 if wave.direction > 0 else -1].broken = True
     return edges, found
+
+
+def _edges(wave, left: float, right: float, bench: Bench) -> list[float]:
+    """Evenly spaced: in a release the sound speed changes about as much as the velocity."""
+    fall = abs(wave.behind.u - wave.ahead.u)
+    count = min(max(math.ceil(fall / (bench.fan_step * wave.path.speed(wave.path.nodes[0]))), FEWEST), MOST)
+    return np.linspace(left, right, count + 1).tolist()
+
+
+def _edges_of_compaction(piece: Piece, left: float, right: float, time: float, bench: Bench) -> list[float]:
+    """Of a compaction fan, along which the sound speed may fall several times while the velocity changes by a tenth of it.
+
+    There are as many slices as ln c and u/c together take steps of `fan_step`; both ln c and the stress change little from edge to edge.
+    """
+    wave, age = piece.wave, time - piece.t0
+    d, path = wave.direction, wave.path
+    speeds = [path.speed(node) for node in path.nodes]
+    places = [piece.x0 + age * (wave.ahead.u + d * (node[2] + c)) for node, c in zip(path.nodes, speeds)]
+    softer = np.log(speeds[0] / np.array(speeds))
+    rise = np.array([path.state(node, d).sigma for node in path.nodes])
+    count = (softer[-1] + abs(wave.behind.u - wave.ahead.u) / speeds[-1]) / bench.fan_step
+    count = min(max(math.ceil(count), FEWEST), MOST)
+    passed = softer / softer[-1] + (rise - rise[0]) / (rise[-1] - rise[0])
+    inner = np.interp(np.linspace(0.0, 2.0, count + 1)[1:-1], passed, places).tolist()
+    return [left, *(inner if d < 0 else inner[::-1]), right]
 
 
 def _keep_on_branch(matter, pieces, branch) -> None:
