@@ -100,6 +100,18 @@ def test_a_shock_that_hardly_outruns_the_material_behind_it_stays_tracked(densit
         assert ours[field][10:] == pytest.approx(theirs[field][10:], abs=1e-7 * np.abs(theirs[field]).max()), field
 
 
+def test_a_shock_that_its_release_has_ended_leaves_a_contact():
+    """Without one, cells mixed what was crushed and what was not over ten zones: the compaction of a zone fell from 0.70 to 0.37."""
+    solver = marched(piston(LAWS["p_alpha"], Pulse("square", 150.0, 0.0, 1e-6), 2e-6, zones=120))
+    x = [row["end_position"] for kind, row in table(solver) if kind == "contact"][-1]
+    assert x == pytest.approx(0.0211, abs=1e-4)
+    state = solver.state()
+    k, crushed = state.zones["compaction"], state.position_middle < x
+    assert crushed.sum() == 7 and (k[:4] == pytest.approx(0.7025, abs=1e-3))
+    assert (k[crushed] > 0.5).all() and (k[~crushed] < 0.02).all()
+    assert max(solver.errors().values()) < 1e-12
+
+
 def test_a_curve_that_is_concave_at_first_is_refused_in_cells():
     problem = impact(LAWS["p_lambda"], 100.0, mode="cells")
     (found,) = [message for _, message in fronts.defects(problem)]

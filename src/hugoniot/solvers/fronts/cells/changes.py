@@ -15,6 +15,7 @@ from hugoniot.solvers.fronts.cells.start import pieces_at
 from hugoniot.solvers.fronts.cells.steepening import track
 from hugoniot.solvers.fronts.meeting import solve
 
+CRUSHED = 0.02     # difference of compaction on both sides of a shock that has decayed from which on a contact is left there
 EDGE = 10          # cells from a vacuum within which one without a valid state is merged with its neighbour
 
 
@@ -199,11 +200,29 @@ class Changes:
         self.captured += bool(crowd)
         for f in sorted({*self.flow.flagged(0, mesh), *crowd}, reverse=True):
             front = mesh.fronts[_order(mesh, f)]
+            pores_end = f not in crowd and front.kind == "shock" and self._ends_pores(mesh, f)
+            why = "other waves are too close" if f in crowd else "it has decayed, and leaves a contact" if pores_end else "it has decayed"
             self.ended(front, time, float(mesh.x[f]))
-            self.log("released", time, float(mesh.x[f]), f"{front.kind} is no longer tracked: "
-                     + ("other waves are too close" if f in crowd else "it has decayed"))
-            mesh.release(f)
+            self.log("released", time, float(mesh.x[f]), f"{front.kind} is no longer tracked: {why}")
+            if pores_end:
+                self._leave_contact(mesh, f, time)
+            else:
+                mesh.release(f)
             self.untracked += 1
+
+    def _ends_pores(self, mesh: Mesh, f: int) -> bool:
+        """Whether crushed and uncrushed material of one region meet at a face: the cells there would mix them."""
+        if mesh.region[f - 1] != mesh.region[f] or not self.flow.porous[mesh.region[f] % len(self.flow.porous)]:
+            return False
+        k = mesh.q[f - 1:f + 1, tables.HOOP] / mesh.q[f - 1:f + 1, 0]
+        return bool(abs(k[1] - k[0]) > CRUSHED)
+
+    def _leave_contact(self, mesh: Mesh, f: int, time: float) -> None:
+        """A contact in the place of a shock that has decayed."""
+        left, right = self._sides(mesh, f, time)
+        mesh.touch(f, f)
+        sides = tuple(left.edge(1))[:5], tuple(right.edge(-1))[:5]
+        mesh.fronts[_order(mesh, f)] = Front("contact", float(left.edge(1).u), since=time, start=float(mesh.x[f]), sides=sides)
 
 
 def met(mesh: Mesh, length: float) -> list[tuple[int, int]]:
