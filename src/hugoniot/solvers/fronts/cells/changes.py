@@ -190,10 +190,14 @@ class Changes:
         return bool((mesh.region[max(face - 1, 0):face + 1] >= self.flow.bench.unburned).any())
 
     def _crowded(self, mesh: Mesh) -> list[int]:
-        """Waves on both sides of the interval that asks for a step out of proportion."""
+        """Waves on both sides of the interval that asks for a step out of proportion; in pores the edge of a fan rather than the shock."""
         at = mesh.faces()
         k = int(np.searchsorted(at, self.flow.work.numbers[tables.LIMITING], side="right")) - 1
-        return [int(at[j]) for j in (k, k + 1) if mesh.fronts[j].direction and mesh.fronts[j].kind != "detonation"]
+        found = [j for j in (k, k + 1) if mesh.fronts[j].direction and mesh.fronts[j].kind != "detonation"]
+        edges = [j for j in found if "fan" in mesh.fronts[j].kind]
+        if edges and self.flow.porous[mesh.region[int(at[k])] % len(self.flow.porous)]:      # cells alone crush with too little heat
+            found = edges
+        return [int(at[j]) for j in found]
 
     def _release(self, mesh: Mesh, time: float) -> None:
         crowd = self._crowded(mesh) if self.flow.work.numbers[tables.CROWDED] > 0.0 else []
