@@ -166,3 +166,10 @@ def test_what_is_pulled_is_elastic_until_it_is_pressed_again(name, mode):
     assert solver.state().zones["pressure"][0] < -1e7 and (solver.state().zones["compaction"] < 1e-9).all()
     solver.march(2.5e-6, 10**9)
     assert max(solver.errors().values()) < (1e-12 if mode == "cells" else 1e-4)
+
+
+def test_a_wave_that_closes_pores_among_the_cells_is_warned_of():
+    """Too weak to be tracked from the start, it crushes with too little heat; told by the run, and tracked where a smaller strength is asked for."""
+    soft = p_alpha.build(SOLID, 1.275, 0.0, 0.7e9)
+    left, followed = (marched(impact(soft, 2.0, 1e-6, mode="cells", zones=(10, 30, 10), **options)) for options in ({}, {"weakest": 1e-5}))
+    assert any("close pores" in warning for warning in left.warnings()) and not followed.warnings()

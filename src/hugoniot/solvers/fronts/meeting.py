@@ -22,6 +22,7 @@ class Bench:
     zones        cells aimed at in every region (cells mode)
     cylinder     plastic releases of solids are not followed: they are no centred fans there (cells mode)
     fan_step     change of velocity over the sound speed below which a release is one jump
+    dropped      waves left out so far; crushing   those of them that close pores (cells mode)
     unburned     number from which on regions are unburned explosive (cells mode); ideal  Chapman-Jouguet fronts found so far
     walls        velocity of the left and right wall; pressures  at the left and right end
     """
@@ -33,6 +34,7 @@ class Bench:
     walls: dict[int, float] = field(default_factory=dict)
     pressures: dict[int, float] = field(default_factory=dict)
     dropped: int = 0
+    crushing: int = 0
     unburned: int = 1 << 60
     ideal: dict = field(default_factory=dict)
     elastic: float = 1.0

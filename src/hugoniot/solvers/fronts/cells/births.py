@@ -30,6 +30,7 @@ FEWEST = 4           # cells at the start of a fan that is not exact
 COARSE = 25          # zones of a region from which on a fan that is not exact starts with more cells, in proportion
 NARROW = 2.0         # of a fan that changes the velocity by less than two of its steps: it starts with as many cells as if by two
 LEAST_GROWTH = 0.003 # per step, at Courant number 1, of a fan that starts with more cells: it soon has the width of ordinary cells
+CLOSED = 1e-3        # difference of compaction on both sides of a wave that closes pores
 NEWBORN = 3          # cells between two waves that part: a parabola has three averages
 
 
@@ -176,6 +177,8 @@ def _without_the_weak(rows, sides, pieces: list[Piece], bench: Bench, followed: 
         if not weak:
             k += width
             continue
+        sides = pieces[k - 1] if k else left, pieces[k] if k < len(pieces) else right
+        bench.crushing += front.kind == "shock" and closes_pores(*sides)
         # with a wave goes the piece behind it; with a contact one of the pieces beside it
         inner = k + width - 1 if front.direction <= 0 else k - 1
         del rows[k:k + width]
@@ -188,6 +191,11 @@ def _without_the_weak(rows, sides, pieces: list[Piece], bench: Bench, followed: 
             del pieces[j]
         bench.dropped += 1
     return (rows, pieces) if rows else None
+
+
+def closes_pores(left: Piece, right: Piece) -> bool:
+    """Whether the compaction of two pieces beside a wave differs."""
+    return left.kind == right.kind == "state" and abs(left.edge(1).compaction - right.edge(-1).compaction) > CLOSED
 
 
 def _contrast(beside) -> float:

@@ -204,7 +204,9 @@ class Changes:
         self.captured += bool(crowd)
         for f in sorted({*self.flow.flagged(0, mesh), *crowd}, reverse=True):
             front = mesh.fronts[_order(mesh, f)]
-            pores_end = f not in crowd and front.kind == "shock" and self._ends_pores(mesh, f)
+            pores_end = front.kind == "shock" and self._ends_pores(mesh, f)
+            self.flow.bench.crushing += pores_end and f in crowd
+            pores_end = pores_end and f not in crowd
             why = "other waves are too close" if f in crowd else "it has decayed, and leaves a contact" if pores_end else "it has decayed"
             self.ended(front, time, float(mesh.x[f]))
             self.log("released", time, float(mesh.x[f]), f"{front.kind} is no longer tracked: {why}")

@@ -17,7 +17,7 @@ def payload(solver) -> dict:
     return {"x": mesh.x.copy(), "q": mesh.q.copy(), "region": mesh.region.copy(), "marked": mesh.marked.copy(), "given": mesh.given.copy(),
             "push": mesh.push.copy(), "level": mesh.level.copy(), "fronts": fronts, "samples": solver.samples,
             "zones": solver.flow.work.zones.copy(), "numbers": solver.flow.work.numbers.copy(),
-            "dropped": solver.flow.bench.dropped,
+            "dropped": solver.flow.bench.dropped, "crushing": solver.flow.bench.crushing,
             "changes": [getattr(solver.changes, name) for name in _COUNTS], "passed": solver.flow.work.passed.copy(),
             "start_totals": solver.start_totals.copy(), "start_size": solver.start_size.copy(),
             "refining": solver.refining.numbers(),
@@ -41,7 +41,7 @@ def restore(solver, payload: dict) -> None:
     work.numbers[:], work.passed[:], work.zones[:] = payload["numbers"], payload["passed"], payload["zones"]
     solver.cycle, solver.step = int(work.numbers[tables.CYCLE]), float(work.numbers[tables.STEP])
     solver.samples = int(payload["samples"])
-    solver.flow.bench.dropped = int(payload["dropped"])
+    solver.flow.bench.dropped, solver.flow.bench.crushing = int(payload["dropped"]), int(payload["crushing"])
     for name, value in zip(_COUNTS, payload["changes"]):
         setattr(solver.changes, name, int(value))
     solver.start_totals, solver.start_size = payload["start_totals"].copy(), payload["start_size"].copy()

@@ -223,7 +223,11 @@ class Cells(Reading):
         """Sentences about waves that were left to the cells, and cells that were merged."""
         joined = [f"cells at the edge of an expansion into vacuum were merged with their neighbours {_times(self.changes.joined)} because "
                   "their internal energy was negative: the edge is resolved to a few cells only"] if self.changes.joined else []
-        found = [*joined, *self.refining.warnings()]
+        crushing = self.flow.bench.crushing
+        pores = [f"waves that close pores were left to the cells {_times(crushing)}: cells alone crush with too little heat, and pressure, "
+                 "energy and density behind such a wave may be far off; track it with a smaller solver.options.weakest, or use "
+                 'solver.options.mode = "algebraic" or lagrange1d'] if crushing else []
+        found = [*joined, *pores, *self.refining.warnings()]
         if not self.changes.captured:
             return found
         return [*found, f"waves were left to be captured by the cells {_times(self.changes.captured)}; a shock is then smeared over two "
