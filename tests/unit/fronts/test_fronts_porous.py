@@ -311,3 +311,10 @@ def test_pores_with_strength_are_refused_with_a_reason():
         given = Problem(**{**vars(problem), "materials": {**problem.materials, "foam": strong},
                            "solver": SolverOptions("fronts", options=MappingProxyType({"mode": mode}))})
         assert any("strength and pores" in message and "lagrange1d" in message for _, message in fronts.defects(given))
+
+
+def test_what_waves_that_are_left_out_carry_is_warned_of():
+    """The precursor and what it meets are weaker than a hundredth: without them per cents of the energy are missing."""
+    coarse, fine = (marched(impact(LAWS["p_alpha"], 60.0, 1.2e-6, **options)) for options in ({"weakest": 0.01}, {}))
+    assert any("were left out" in warning for warning in coarse.warnings()) and max(coarse.errors().values()) > 1e-3
+    assert not any("were left out" in warning for warning in fine.warnings()) and max(fine.errors().values()) < 1e-5

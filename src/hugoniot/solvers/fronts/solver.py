@@ -18,6 +18,7 @@ from hugoniot.solvers.fronts.record import COLUMNS, Lives
 from hugoniot.solvers.protocol import NO_COUNTS, Event
 
 STUCK = 20_000        # meetings in one instant: fronts pile up
+LOST = 1e-3        # of the mass, momentum or energy: more than that is warned of
 
 
 class Fronts(Reading):
@@ -169,11 +170,14 @@ class Fronts(Reading):
         return (COLUMNS, *self.lives.table(self.line.fronts, self.time))
 
     def warnings(self) -> list[str]:
-        """Sentences about fans that were met: from there on the solution is one of slices."""
+        """Sentences about fans that were met, from where on the solution is one of slices, and about what is missing from the balances."""
+        lost = max(self.errors().values())
+        missing = [f"waves weaker than solver.options.weakest, which were left out, carried {100.0 * lost:.1g} % of the mass, momentum or "
+                   "energy: make solver.options.weakest smaller"] if lost > LOST else []
         if not self.line.cuts:
-            return []
+            return missing
         fans = "1 fan was" if self.line.cuts == 1 else f"{self.line.cuts} fans were"
-        return [f"{fans} reached by other waves and cut into slices of at most {self.bench.fan_step:g} sound speeds: "
+        return [*missing, f"{fans} reached by other waves and cut into slices of at most {self.bench.fan_step:g} sound speeds: "
                 "behind them states are accurate to the square of that step"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
