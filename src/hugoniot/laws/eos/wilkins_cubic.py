@@ -3,8 +3,9 @@ r"""Mie-Grüneisen solid as a cubic in strain, the form used in the KO codes (rh
 $$p = k_1x + k_2x^2 + k_3x^3 + \Gamma_0\rho_0e, \qquad x = 1 - \rho_0/\rho, \qquad k_2 = 0 \text{ for } x < 0$$
 $$k_1 = \rho_0c_0^2, \quad k_2 = k_1\left(2s - \tfrac12\Gamma_0\right), \quad k_3 = k_1s\,(3s - \Gamma_0)$$
 
-This is the expansion of `mie_gruneisen` about rest. Beyond a strain of 0.1 its pressure is below that of the Hugoniot it was derived from
-(copper: by 1 % at 0.1, 16 % at 0.3). It is included so that decks of those codes give the same numbers; use `mie_gruneisen` in new decks.
+This is the expansion of `mie_gruneisen` about the reference state. In compression its Hugoniot lies below the one it was derived from
+(copper: by 1 % at a strain of 0.1, 16 % at 0.3). It is included so that decks of those codes give the same numbers; use
+`mie_gruneisen` in new decks.
 Temperature (constant $c_v$): $T = T_0e^{\Gamma_0x} + (e - e_S)/c_v$ with the isentrope through the reference state,
 
 $$\rho_0e_S = \sum_{n=1}^3 k_nJ_n, \qquad J_n = \int_0^x y^n e^{\Gamma_0(x-y)}\,dy = \frac{\Gamma_0J_{n+1} + x^{n+1}}{n+1}, \qquad

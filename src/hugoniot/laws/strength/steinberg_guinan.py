@@ -5,7 +5,7 @@ $$G = G_0\,\varphi, \qquad Y = \min\left\{Y_0\,[1 + \beta(\varepsilon_p + \varep
 $$T_m = T_{m0}\,\exp\left[2a\left(1 - 1/\eta\right)\right]\eta^{2(\gamma_0 - a - 1/3)}, \qquad \eta = \rho/\rho_0$$
 
 A = G'_p/G0 and B = -G'_T/G0; the pressure derivative of Y is taken as Y'_p/Y0 = A, as in the published parameter table.
-Above the melting temperature Y = 0 and G = G0 `melt_shear_fraction`. The factor phi is not allowed below
+Above the melting temperature Y = 0 and G = G0 `melt_shear_fraction`. The factor $\varphi$ is not allowed to fall below
 `melt_shear_fraction` for G and 0 for Y, since at large tensions or temperatures the series would become negative.
 
 Source: Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498; constants of the example: 6061-T6 aluminium of
@@ -65,9 +65,10 @@ STRENGTH.add(
     units={"rho0": "kg/m^3", "shear_modulus": "Pa", "yield_stress": "Pa", "hardening_coefficient": "1", "hardening_exponent": "1",
            "largest_yield_stress": "Pa", "pressure_coefficient": "1/Pa", "temperature_coefficient": "1/K", "melt_temperature": "K",
            "melt_gruneisen": "1", "melt_a": "1", "initial_strain": "1", "melt_shear_fraction": "1"},
-    meaning={"rho0": "density at rest", "shear_modulus": "shear modulus at rest and 300 K", "yield_stress": "flow stress at rest and 300 K",
+    meaning={"rho0": "density at rest", "shear_modulus": "shear modulus at zero pressure and 300 K",
+             "yield_stress": "flow stress at zero pressure and 300 K",
              "hardening_coefficient": "beta of the hardening power law", "hardening_exponent": "n of the hardening power law",
-             "largest_yield_stress": "ceiling of the hardened flow stress at rest and 300 K",
+             "largest_yield_stress": "ceiling of the hardened flow stress at zero pressure and 300 K",
              "pressure_coefficient": "A, relative rise of the shear modulus with pressure",
              "temperature_coefficient": "B, relative fall of the shear modulus with temperature",
              "melt_temperature": "melting temperature at rho0", "melt_gruneisen": "Grüneisen parameter of the melting law",
