@@ -3,8 +3,9 @@
 import os
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -78,9 +79,12 @@ def read_tables(raw: dict, text: str, name: str, overrides: dict[str, Any] | Non
                 beside: Path | None = None) -> Deck:
     """As `read_deck_text`, for a caller that has parsed the text already (`parse_deck`); the overrides are put into `raw` itself."""
     collector = Collector([], name, line_finder(text), raw, beside)
+    changed: list[tuple] = []
     for key, value in (overrides or {}).items():
         _open_library_material(raw, key)
-        _override(raw, key, value, collector)
+        changed += _override(raw, key, value, collector)
+    if changed:
+        collector.line_of = partial(_line_unless, changed, collector.line_of)
     kind = _solver_kind(raw, collector)
     module = solver_module(kind)
     model = schema.validate(module.Model, raw, collector)
@@ -190,28 +194,38 @@ def _open_library_material(raw: dict, key: str) -> None:
         raw["material"].setdefault(name, {"base": name})
 
 
-def _override(raw: dict, key: str, value: Any, collector: Collector) -> None:
-    """Put a value under a dotted key; elements of [[region]] and the like are chosen by name. A table is merged, not replaced."""
+def _line_unless(changed: list[tuple], line_of: Callable[[tuple], int | None], path: tuple) -> int | None:
+    """The line of a key, or None where an override took the place of what the file says there."""
+    return None if any(path[: len(key)] == key for key in changed) else line_of(path)
+
+
+def _override(raw: dict, key: str, value: Any, collector: Collector) -> list[tuple]:
+    """Put a value under a dotted key and return the paths that change; elements of [[region]] and the like are chosen by name.
+
+    A table is merged, not replaced.
+    """
     *parents, last = key.split(".") if isinstance(key, str) else [""]
     _check_values(value, collector.file)
     if len(parents) > DEEPEST:
         raise DeckError.single(collector.file, None, printable(key), f"a key of more than {DEEPEST} parts")
     here: Any = raw
+    path: tuple = ()
     for part in parents:
         if isinstance(here, list):
-            here = next((e for e in here if isinstance(e, dict) and e.get("name") == part), None)
+            at, here = next(((i, e) for i, e in enumerate(here) if isinstance(e, dict) and e.get("name") == part), (0, None))
+            path = (*path, at)
         elif isinstance(here, dict):
             here = here.setdefault(part, {})
+            path = (*path, part)
         if here is None:
             break
     if not isinstance(here, dict):
         hint = "write it like region.flyer.velocity"
         raise DeckError.single(collector.file, None, printable(key), "the deck has no such key to override", hint)
     if isinstance(value, dict) and isinstance(here.get(last), dict):
-        for inner, v in value.items():
-            _override(here[last], inner, v, collector)
-    else:
-        here[last] = _plain(value)
+        return [(*path, last, *rest) for inner, v in value.items() for rest in _override(here[last], inner, v, collector)]
+    here[last] = _plain(value)
+    return [(*path, last)]
 
 
 def _plain(value: Any) -> Any:
