@@ -98,7 +98,7 @@ def _parsed(value: str, unit: str) -> float:
     if not name:
         if _powers(unit) == _NONE:
             return _to_float(number, Decimal(1), Decimal(0), value)
-        hint = f"add one such as '{number} {_sample(unit)}', or omit the quotes for SI ({unit})"
+        hint = f"add one such as {_sample(unit)}, or omit the quotes for SI ({unit})"
         raise UnitError(f"{_shown(value)} has no unit", hint)
     return _to_float(number, *_of_kind(name, unit, value), value)
 

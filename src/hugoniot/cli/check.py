@@ -79,7 +79,7 @@ def _tell(deck: Deck, warnings: list[str]) -> None:
     echo_table(["region", "extent", "", "velocity", "material", "laws"], rows)
     cost = estimate(problem)
     typer.echo(f"{cost.zones} zones, {cost.snapshots} snapshots: about {_bytes(cost.memory)} of memory, "
-               f"result.h5 about {_bytes(cost.result)} without gauges (twice that on disk until the run ends)")
+               f"result.h5 about {_bytes(cost.result)} not counting gauges (twice that on disk until the run ends)")
     for name, material in problem.materials.items():
         typer.echo(f"range of the data of {name}: {reach(material)}")
     for warning in warnings:

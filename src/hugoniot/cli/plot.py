@@ -49,8 +49,8 @@ def command(
     there = PLANE_PICTURES if plane else PICTURES
     kind = kind or there[0]
     if kind not in there:
-        words = "two dimensions" if plane else "one dimension"
-        message = f"this run has {words}, for which there is no picture '{kind}'"
+        words = "two" if plane else "one"
+        message = f"there is no picture '{kind}' of a {words}-dimensional run"
         raise DeckError.single("plot", None, "kind", message, f"use {', '.join(there)}")
     path = out or folder / f"{'-'.join(word for word in (kind, field) if word)}.png"
     drawable(path, "plot", "--out")

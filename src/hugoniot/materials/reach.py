@@ -23,7 +23,7 @@ def reach(material: Material) -> str:
         return "a range in particle velocity does not apply to a gas or to detonation products"
     if material.valid_up_to is None:
         end = range_of_validity(material)
-        return f"not known; estimated: particle velocity up to {rounded(end.up)}, {end.why}; a warning is given above"
+        return f"not known; estimated: particle velocity up to {rounded(end.up)}, {end.why}; a run beyond that gives a warning"
     found = f"particle velocity up to {format_si(material.valid_up_to, 'm/s')}"
     source = next((s for s in material.sources if s.quantity == "valid_up_to" and s.value == material.valid_up_to), None)
     if source is None:

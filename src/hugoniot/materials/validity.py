@@ -2,7 +2,7 @@ r"""Up to which particle velocity a material may be believed, and to which one a
 
 Where no source states the end of a material's data it is estimated: the least particle velocity of a single shock into the material at
 rest at which its atoms are ionised (`IONISED`), its law compresses it more than `COMPRESSED` times, as a strong shock does an ideal
-monatomic gas, its pressure exceeds `HIGHEST`, or its law ends. An impact is estimated by the two Hugoniots from rest,
+monatomic gas, its pressure exceeds `HIGHEST`, or the fit of its law ends. An impact is estimated by the two Hugoniots from rest,
 $p_A(u) = p_B(w - u)$ for the closing velocity w: strength, pores that are crushed already and other initial states are left out.
 """
 
@@ -66,7 +66,7 @@ def rounded(up: float) -> str:
 
 
 def _ends(par) -> list[tuple[float, str]]:
-    found = [(particle_velocity_limit(par), "where its law ends")]
+    found = [(particle_velocity_limit(par), "where the Hugoniot fit of its law ends")]
     if not is_condensed(par):
         return found
     rho0 = reference_state(par)[0]

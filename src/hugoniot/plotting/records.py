@@ -157,7 +157,7 @@ def profile(run, field: str = "stress", time=None, ax=None):
 def snapshots_at(run, known, wanted) -> list[int]:
     """Index of the snapshot nearest to each wanted time (s or text, one or several); times the run did not reach are refused."""
     times = [parse(t, "s") for t in ([wanted] if isinstance(wanted, str) or not np.iterable(wanted) else wanted)]
-    reach = f"its snapshots are from {format_si(known[0], 's', 4)} to {format_si(known[-1], 's', 4)}"
+    reach = f"its snapshots run from {format_si(known[0], 's', 4)} to {format_si(known[-1], 's', 4)}"
     if not times:
         raise DeckError.single(run.folder, None, "time", "no time was given", reach)
     for t in times:

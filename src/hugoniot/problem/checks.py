@@ -289,4 +289,7 @@ def _nearest_place(at: str, regions: tuple[Region, ...]) -> str:
     touching = [f"{a.name}/{b.name}" for a, b in zip(regions, regions[1:])]
     sides = [f"{r.name}:{side}" for r in regions[:20] for side in ("left", "right")]
     known = ["free surface left", "free surface right", *touching, *sides]
+    parts = [place for place in known if set(at.lower().split()) <= set(place.split())]
+    if len(parts) == 1 and at.strip():
+        return f"did you mean '{parts[0]}'?"
     return nearest(at, known, f"such as '4 mm', '{known[-1]}', 'free surface right'")

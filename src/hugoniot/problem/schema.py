@@ -4,6 +4,7 @@ A deck's shape is a pydantic model, from which the editor's JSON Schema and the 
 model, named in `problem.solver_kinds`; a new solver plugs in with one line there.
 """
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any
@@ -17,6 +18,10 @@ from hugoniot.units import UnitError, parse
 
 # tables that a deck may repeat
 _ARRAYS = ("region", "block", "boundary", "gauge", "interface", "lighting", "heat_source", "contact", "rigid")
+
+# what needs no quotes, by the kind of error that quotes cause
+_UNQUOTED = {"int_type": re.compile(r"[+-]?\d+"), "float_type": re.compile(r"[+-]?\d+\.?\d*([eE][+-]?\d+)?"),
+             "bool_type": re.compile("true|false")}
 
 
 class Table(BaseModel):
@@ -119,6 +124,8 @@ def _in_words(item: Mapping, model: type[BaseModel]) -> tuple[str, str]:
     if kind in words:
         name = location[-1] if location else ""
         hint = f"write [[{name}]] above its keys" if kind == "list_type" and name in _ARRAYS else ""
+        if kind in _UNQUOTED and isinstance(given, str) and _UNQUOTED[kind].fullmatch(given):
+            hint = "omit the quotes"
         quoted = f"'{shown}'" if isinstance(given, str) else shown
         return f"{words[kind]}, got {quoted}", hint
     bounds = {"greater_than": ("greater than", "gt"), "greater_than_equal": ("at least", "ge"), "less_than_equal": ("at most", "le"),

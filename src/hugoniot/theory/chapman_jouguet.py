@@ -214,7 +214,7 @@ def _tangency(par, ahead, v0, least, most):
     if low is None or high is None:
         raise OutOfRange(f"law '{EOS.of(par).name}' has no Chapman-Jouguet point for an initial density of {ahead.density:.6g} kg/m3: "
                          f"with an upstream energy of {ahead.energy:.6g} J/kg and a heat of {ahead.heat:.6g} J/kg no energy is released; "
-                         "give the heat of reaction")
+                         "give the products of an explosive, or the heat of reaction (--heat)")
     side = 0
     for _ in range(200):
         x = (low * f_high - high * f_low) / (f_high - f_low)

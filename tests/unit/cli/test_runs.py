@@ -91,7 +91,7 @@ def test_plot_draws(arguments, name, place, capsys):
 
 @pytest.mark.parametrize("arguments, hint", [
     (["xtt"], "did you mean 'xt'?"), (["budget", "--time", "1 us"], "it applies to profile"), (["profile", "--time", "1 mm"], "expected a time"),
-    (["xt", "--out", "wave.gif"], ".png"), (["profile", "--time", "9 s"], "the run has no state at 9 s; its snapshots are from 0 s to"),
+    (["xt", "--out", "wave.gif"], ".png"), (["profile", "--time", "9 s"], "the run has no state at 9 s; its snapshots run from 0 s to"),
     (["free_surface", "--delay", "-1 ns"], "delay: must not be negative"), (["free_surface", "--gauge", "nowhere"], "no gauge 'nowhere'; this run has: contact"),
     (["profile", "--time", "9"], "the run has no state at 9 s"),
     (["xt", "--x", "5..6 m"], "--x: these positions lie outside the run; it covers 0 m to 1 m"),
