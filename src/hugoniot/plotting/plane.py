@@ -27,7 +27,7 @@ def needs_plane(run, picture: str) -> None:
     """Refuse a picture of two dimensions for a run of one."""
     if "axes" not in run.setup:
         raise DeckError.single(run.folder, None, "kind", f"a {picture} needs a two-dimensional run",
-                               f"this run has one dimension: use hugoniot plot {run.folder} xt")
+                               f"this run is one-dimensional: use hugoniot plot {run.folder} xt")
 
 
 def plane_field(run, field: str, k) -> np.ndarray:

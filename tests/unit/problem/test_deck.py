@@ -207,6 +207,24 @@ def test_overrides_reach_regions_by_name_and_are_checked(tmp_path):
         read_deck(path, {"region.b.velocity": 3.0})
 
 
+def test_only_values_that_the_file_gives_have_a_line(tmp_path):
+    path = tmp_path / "d.toml"
+    path.write_text(deck())
+    for overrides, key in (({"region.a.velocity": "3 km"}, "region.a.velocity"), ({"solver": {"courant": "x"}}, "solver.courant")):
+        with pytest.raises(DeckError) as caught:
+            read_deck(path, overrides)
+        assert [(p.line, p.key) for p in caught.value.problems] == [(None, key)]
+    path.write_text(deck("zones = 0"))
+    with pytest.raises(DeckError) as caught:
+        read_deck(path, {"region.a.velocity": "3 km/s"})
+    assert all(p.line is not None for p in caught.value.problems)
+
+
+def test_an_end_of_the_bodies_is_guessed_from_its_words():
+    with pytest.raises(DeckError, match="unknown place 'right surface'; did you mean 'free surface right'"):
+        read_deck_text(deck_of_copper() + '[[gauge]]\nname = "g"\nat = "right surface"\n')
+
+
 def test_an_override_reaches_a_constant_of_a_library_material():
     """The deck names copper without a table of its own: the other constants stay those of the library."""
     text = deck_of_copper()
@@ -220,7 +238,7 @@ def deck_of_copper():
 
 
 def test_a_text_for_a_flag_or_a_number_is_quoted():
-    for line, message in (('zones = "4"', "expected a whole number, got '4'"), ('[output]\nreport = "yes"', "expected true or false, got 'yes'")):
+    for line, message in (('zones = "4"', "expected a whole number, got '4'; omit the quotes"), ('[output]\nreport = "yes"', "expected true or false, got 'yes'")):
         with pytest.raises(DeckError, match=message):
             read_deck_text(deck_of_copper().replace("zones = 4", "") + line)
 
