@@ -154,7 +154,13 @@ def test_check_tells_programs_what_is_wrong(capsys, monkeypatch, tmp_path):
     code, out, _ = call(capsys, "check", "flyer.toml", "--json", "--set", "region.flyer.velocity=900 mm")
     told = json.loads(out)
     assert code == 2 and told["ok"] is False
-    assert told["problems"][0]["key"] == "region.flyer.velocity" and told["problems"][0]["line"] == 14
+    # an option's value stands in no line of the deck
+    assert told["problems"][0]["key"] == "region.flyer.velocity" and told["problems"][0]["line"] is None
+    deck = tmp_path / "flyer.toml"
+    deck.write_text(deck.read_text().replace("700 m/s", "700 mm"))
+    code, out, _ = call(capsys, "check", "flyer.toml", "--json")
+    told = json.loads(out)
+    assert code == 2 and told["problems"][0]["key"] == "region.flyer.velocity" and told["problems"][0]["line"] == 14
     code, out, _ = call(capsys, "check", "flyer.toml", "--resolved", "--set", "region.flyer.velocity=900 m/s")
     assert code == 0 and "velocity = 900.0" in out
 
