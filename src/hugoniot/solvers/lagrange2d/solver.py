@@ -231,7 +231,7 @@ class Lagrange2D(Shown, NothingToAdd):
         return State2D(seen.time, seen.cycle, zones, nodes, seen.zone_nodes)
 
     def _glimpse(self) -> State2D:
-        """The state now, most of it views that the next step changes: copies would take gauges as long as a step."""
+        """The state now, most of it views that the next step changes: copies would make gauges cost nearly as much as a step."""
         zones = self.erosion.seen(accounts.zone_fields(self.zones) | (self.burn_fields() if self.burning else {}))
         rows = {"position_x": N.x, "position_y": N.y, "velocity_x": N.u, "velocity_y": N.v}
         numbers = self.numbering.representative
