@@ -95,7 +95,7 @@ def csv_rows(text: str, name, first: int = 1, most: int | None = None) -> list[t
 
 
 class Hdf5Texts:
-    """Whether reading the texts of an HDF5 file comes to an end: `feed` takes the file piece by piece, then `end` tells.
+    """Whether reading the texts of an HDF5 file comes to an end: `feed` takes the file piece by piece, and `end` gives the answer.
 
     Texts of variable length lie in collections, each object with its size before it. Where damage makes that size 0, or so large that the
     sum wraps round, the library goes from an object to itself for ever; here the collections are walked as it does.

@@ -165,7 +165,7 @@ class Curve:
         """The waves that close pores, from a state at its elastic limit to a stress above it: a shock, a fan, or a fan and a shock."""
         direct = self._one(sigma, ahead, self.loading, False)
         flux, least = (direct.head - ahead.u) * self.direction * ahead.rho, math.sqrt(direct.stiffness * ahead.rho)
-        feeble = sigma - ahead.sigma <= spreading.FEEBLE * direct.stiffness      # then the shock does not tell, but the sound behind it
+        feeble = sigma - ahead.sigma <= spreading.FEEBLE * direct.stiffness      # its own speed is lost in rounding: sound behind decides
         if flux >= least * (1.0 - NARROW) and not (feeble and spreading.overtaken(direct.behind, flux, self.loading)):
             return [self._lasting(direct)]
         if self.as_jumps:

@@ -23,7 +23,7 @@ from hugoniot.laws.eos.shock_energy import REST, ShockEnergy
 _X, _W = (row.tolist() for row in np.polynomial.legendre.leggauss(20))
 SOFTENS = ("law 'shock_energy': a shock to {:.6g} Pa would outrun the sound behind it, because with s2 below zero the impedance falls with "
            "the pressure there; use mie_gruneisen")
-NO_TENSION = "law 'shock_energy' bears no tension, and has no state at {:.6g} Pa"
+NO_TENSION = "law 'shock_energy' supports no tension: it has no state at {:.6g} Pa"
 
 
 def velocity_of(sigma: float, par: ShockEnergy) -> float:

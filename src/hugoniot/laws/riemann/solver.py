@@ -18,12 +18,12 @@ from hugoniot.laws.riemann.medium import has_pieces, name_of
 AT_REST = 1e-11       # of the sound speeds: bodies that part no faster are at rest side by side
 TORN = 1e-6      # of the sound speeds: a difference of velocity that is no rounding
 CROSSED = 1e-6   # of the sound speed: the tail of a fan may outrun its head by so much
-WEAK = 1e-3      # strength of shocks that are not looked at: their speed differs from those of sound by no more
+WEAK = 1e-3      # strength of shocks that are not checked: their speed differs from the sound speeds by no more
 KINKED = 0.05    # by how much a shock may miss the sound on its sides in a law of many pieces (a table), whose slopes leap
 SPLITS = ("the shock of law '{}' to {:.6g} Pa {}: it would break up into several waves, which are not followed (use lagrange1d, or a law "
           "that is convex there)")
-BENDS = ("law '{}' bends the other way between {:.6g} and {:.6g} kg/m3: the characteristics of this release would cross, and a jump to a "
-         "lower stress run in its place, which is not followed (use lagrange1d, or a law that is convex there)")
+BENDS = ("law '{}' is not convex between {:.6g} and {:.6g} kg/m3: the characteristics of this release would cross and form a rarefaction "
+         "shock, which is not followed (use lagrange1d, or a law that is convex there)")
 
 
 @dataclass(frozen=True)
@@ -151,7 +151,7 @@ def _root(gap, sigma: float, floor: float, scale: float, sides) -> float:
 
 
 def _hold(gap: float, sigma: float, sides) -> None:
-    """Raise `OutOfRange` where the sides part under the largest tension that their laws bear: the search ends there with a gap."""
+    """Raise `OutOfRange` where the sides separate under the largest tension that their laws support: the search ends there with a gap."""
     if sigma < 0.0 and abs(gap) > TORN * sum(side.c for side in sides):
         raise OutOfRange(SPRAY.format("' or '".join(dict.fromkeys(name_of(side.matter.par) for side in sides)), -sigma))
 
@@ -176,7 +176,7 @@ def _spread(side: Curve, waves: list[Wave]) -> None:
 
 
 def _tried(gap, sigma: float, low: float):
-    """The gap at a trial; a tension that a law cannot bear counts as too low."""
+    """The gap at a trial; a tension that a law cannot support counts as too low."""
     try:
         return gap(sigma)
     except (NoSolution, ArithmeticError, ValueError):

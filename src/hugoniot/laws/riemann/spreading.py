@@ -76,6 +76,7 @@ class Spreading(Fan):
             self._extend()
         part = Spreading(self.ahead, self.branch, self.first)
         part.nodes = [*(one for one in self.nodes if one[0] < node[0]), node]
+        part.sigmas = [*self.sigmas[:len(part.nodes) - 1], self.state(node, 1).sigma]
         return part
 
     def state(self, node, direction: int) -> State:

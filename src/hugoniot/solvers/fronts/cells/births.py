@@ -194,7 +194,7 @@ def _without_the_weak(rows, sides, pieces: list[Piece], bench: Bench, followed: 
 
 
 def closes_pores(left: Piece, right: Piece) -> bool:
-    """Whether the compaction of two pieces beside a wave differs."""
+    """Whether the compaction differs across a wave."""
     return left.kind == right.kind == "state" and abs(left.edge(1).compaction - right.edge(-1).compaction) > CLOSED
 
 
