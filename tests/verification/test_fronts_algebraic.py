@@ -364,4 +364,4 @@ def test_any_five_laws_lose_nothing(seed):
 def test_three_hundred_problems_with_any_five_laws():
     """Up to forty meetings each; what stops has left the range of a law (its tension, stability, convexity), or has too many fronts."""
     ended = [ends_well(seed, 40) for seed in range(300)]
-    assert ended.count("done") >= 250
+    assert ended.count("done") >= 275      # 278; 20 leave the range of a law, 2 have too many fronts
