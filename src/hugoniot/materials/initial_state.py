@@ -3,7 +3,16 @@
 import math
 
 from hugoniot.errors import OutOfRange
-from hugoniot.laws.eos.contract import EOS, density_limits, pressure, pressure_derivatives, reference_state, temperature
+from hugoniot.laws.eos.contract import (
+    EOS,
+    density_limits,
+    has_temperature,
+    pressure,
+    pressure_derivatives,
+    reference_state,
+    temperature,
+)
+from hugoniot.units import format_si
 
 _STEPS = 200
 COLD = 1e-12     # of a pressure that does not depend on the energy: what counts as the same
@@ -128,10 +137,21 @@ def _density(function, eos, what):
 
 
 def initial_state(eos, density=None, pressure_=None, temperature_=None, energy=None) -> tuple[float, float]:
-    """(rho, e) from at most two given quantities (SI); none: the law's reference state.
+    """(rho, e) from at most two given quantities (SI); none: the law's reference state. OutOfRange where no material can be in it.
 
     One alone goes with the reference density, and a density alone with zero pressure (with the reference temperature for a gas).
     """
+    rho, e = _state(eos, density, pressure_, temperature_, energy)
+    if has_temperature(eos) and (warm := float(temperature(rho, e, eos))) < 0.0:
+        alone = density is not None and pressure_ is None and energy is None
+        remedy = "; give its temperature as well, and the pressure follows" if alone else ""
+        raise OutOfRange(f"{rho:.6g} kg/m3 and {format_si(float(pressure(rho, e, eos)), 'Pa', 4)} would be a state at "
+                         f"{warm:.4g} K, below absolute zero{remedy}")
+    return rho, e
+
+
+def _state(eos, density, pressure_, temperature_, energy) -> tuple[float, float]:
+    """The same, whatever its temperature."""
     rho0, e0 = reference_state(eos)
     given = sum(x is not None for x in (density, pressure_, temperature_, energy))
     if given > 2:

@@ -42,10 +42,20 @@ def test_every_pressure_the_law_has_at_a_density_gives_an_energy(name):
         rho, e = rest * rng.uniform(1.0, 1.5), rng.uniform(law.box["e"][0], min(law.box["e"][1], 5e6))
         p = float(contract.pressure(rho, e, law.example))
         if p > 0.0:
-            found = initial_state(law.example, density=rho, pressure_=p)[1]
+            found = energy_at_pressure(rho, p, law.example)
             assert contract.pressure(rho, found, law.example) == pytest.approx(p, rel=1e-12, abs=1e-6)
 
 
 def test_a_pressure_the_law_has_not_is_refused():
     with pytest.raises(OutOfRange, match=r"no energy gives -1e.09 Pa at 1900 kg/m3 in the law 'snow_plough'"):
         energy_at_pressure(1900.0, -1e9, EOS.get("snow_plough").example)
+
+
+def test_a_state_below_absolute_zero_is_refused():
+    """A solid compressed without pressure has lost more energy than all its heat; with a temperature the same density is a state."""
+    copper = MieGruneisen(8930.0, 3940.0, 1.489, 1.99, 385.0)
+    with pytest.raises(OutOfRange, match="9500 kg/m3 and 0 Pa would be a state at -[0-9]+ K, below absolute zero; give its temperature"):
+        initial_state(copper, density=9500.0)
+    rho, e = initial_state(copper, density=9500.0, temperature_=300.0)
+    assert contract.temperature(rho, e, copper) == pytest.approx(300.0) and contract.pressure(rho, e, copper) > 9e9
+    assert initial_state(copper, density=8800.0)[0] == 8800.0       # expanded, and so hot
