@@ -14,7 +14,7 @@ from hugoniot.diagnostics.apparent import with_apparent_velocity
 from hugoniot.diagnostics.interface_gauges import without_mixtures
 from hugoniot.output.plane_record import plane_record
 from hugoniot.output.setup_record import setup_record
-from hugoniot.output.spall_reading import region_named
+from hugoniot.output.spall_records import region_named
 from hugoniot.simulate import make_solver, steady_numbers
 from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
 

@@ -5,7 +5,16 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from hugoniot.errors import NoSolution
-from hugoniot.laws.eos.contract import EOS, gruneisen, pressure, reference_state, sound_speed_squared, temperature_at_rest
+from hugoniot.laws.eos.contract import (
+    EOS,
+    gruneisen,
+    has_temperature,
+    pressure,
+    reference_state,
+    sound_speed_squared,
+    temperature,
+    temperature_at_rest,
+)
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
@@ -72,6 +81,18 @@ def _elastic(material: Material, rho: float, e: float, bulk: float) -> dict[str,
         limit = 0.5 * y * (bulk / g + 4.0 / 3.0)
         found["hugoniot_elastic_limit"] = Quantity(limit, "Pa", "Y (K/G + 4/3)/2 (Herrmann, WL-TR-64-107)")
         found["hel_particle_velocity"] = Quantity(limit / (rho * longitudinal), "m/s", "HEL/(rho c_L)")
+    return found
+
+
+def sound_speeds(material: Material, rho: float, e: float) -> dict[str, float]:
+    """Bulk and, of a solid with strength, longitudinal sound speed (m/s) in the state (rho kg/m3, e J/kg)."""
+    c2 = sound_speed_squared(rho, e, material.eos)
+    found = {"bulk_sound_speed": math.sqrt(c2)}
+    if material.strength is not None and "fluid" not in STRENGTH.of(material.strength).flags:
+        warm = float(temperature(rho, e, material.eos)) if has_temperature(material.eos) else temperature_at_rest(material.eos)
+        shear = shear_modulus(rho, pressure(rho, e, material.eos), warm, rho * c2, material.strength)
+        if shear > 0.0:
+            found["longitudinal_sound_speed"] = math.sqrt(c2 + 4.0 / 3.0 * shear / rho)
     return found
 
 

@@ -19,8 +19,8 @@ from hugoniot.errors import DeckError, DeckProblem
 from hugoniot.files import csv_rows, read_regular
 from hugoniot.output.atomic import legible
 from hugoniot.output.run import Run, load
-from hugoniot.output.spall_reading import hit_regions
-from hugoniot.output.spall_reading import records as surface_records
+from hugoniot.output.spall_records import hit_regions
+from hugoniot.output.spall_records import records as surface_records
 from hugoniot.units import UnitError, convert
 
 _HEADS = "use column headers such as 'time [us], velocity [m/s]' or 'time (us), velocity (m/s)'"

@@ -8,7 +8,8 @@ from hugoniot.diagnostics.arrival import arrivals
 from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.diagnostics.velocimetry import durations, flat_stretch, level_over
 from hugoniot.output.run import Run, largest_value
-from hugoniot.output.spall_reading import NOISE, SURFACE, spall_reading, surface_record
+from hugoniot.output.spall_reading import NOISE, spall_reading
+from hugoniot.output.spall_records import SURFACE, surface_record
 from hugoniot.units import format_si
 
 OVERSHOOT = 2.0       # times the highest of all others: more than a third above it was never seen in a shock that has left those zones

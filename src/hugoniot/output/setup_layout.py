@@ -20,7 +20,8 @@ _TRANSPORT = {"laws": [_LAW], "bulk_ratio": Number, "bulk_viscosity": Number}
 _COMMON = {"title": Text, "geometry": Text, "version": Text, "stop_time": Number, "references": [Text], "materials": {...: _MATERIAL}}
 _LINE = {
     **_COMMON, "solver": {"kind": Text, "integrator?": Text, "options?": (dict, Nothing)},
-    "regions": [{"name": Text, "material": Text, "start": Number, "end": Number, "zones": Whole, "velocity": (int, float, list)}],
+    "regions": [{"name": Text, "material": Text, "start": Number, "end": Number, "zones": Whole, "velocity": (int, float, list),
+                 "starts?": {...: Number}}],
     "boundaries": {side: {"kind": Text, "pulse?": (dict, Nothing)} for side in ("left", "right")},
     "gauges": [{"name": Text, "at": (int, float, str)}]}
 _POINT = [Number]

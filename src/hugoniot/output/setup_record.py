@@ -8,14 +8,15 @@ import math
 from typing import Any
 
 from hugoniot.core.registry import Registry
-from hugoniot.dossier.derived import derived_quantities
+from hugoniot.dossier.derived import derived_quantities, sound_speeds
 from hugoniot.errors import HugoniotError
 from hugoniot.laws.burn.contract import BURN
-from hugoniot.laws.eos.contract import EOS, reference_state
+from hugoniot.laws.eos.contract import EOS, pressure, reference_state
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT
 from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.reach import reach
 
 _FAMILIES = {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE, "viscosity": VISCOSITY}
@@ -107,6 +108,17 @@ def _at_rest(material) -> dict[str, float]:
     return {"density": density, **speeds}
 
 
+def _region_record(region, material) -> dict:
+    """A region with the state in which it starts, where that is one and not its material's reference state."""
+    record = plain(region)
+    given = [getattr(region, name) for name in ("density", "pressure", "temperature", "energy")]
+    if material.burn is not None or region.profile is not None or all(value is None for value in given):
+        return record
+    rho, e = initial_state(material.eos, *given)
+    start = {"density": rho, "pressure": pressure(rho, e, material.eos), **sound_speeds(material, rho, e)}
+    return {**record, "starts": {name: float(value) for name, value in start.items()}}
+
+
 def _burn_record(par, sources) -> dict:
     return law_record(BURN, par, sources)
 
@@ -164,7 +176,7 @@ def setup_record(problem, meta: dict) -> dict:
         "title": problem.title, "geometry": problem.geometry, "stop_time": problem.stop_time,
         "solver": {**plain(problem.solver), "kind": meta.get("solver", problem.solver.kind)},
         "version": meta.get("version", ""),
-        "regions": [plain(region) for region in problem.regions],
+        "regions": [_region_record(region, problem.materials[region.material]) for region in problem.regions],
         "boundaries": {"left": plain(problem.left), "right": plain(problem.right)},
         "interfaces": [plain(interface) for interface in problem.interfaces],
         "gauges": [plain(gauge) for gauge in problem.gauges],

@@ -10,7 +10,6 @@ the window holds the stress of its own Hugoniot, sigma_w(u) = rho_w (c_w + s_w u
 the acoustic one of `diagnostics.velocimetry`.
 """
 
-import re
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -24,32 +23,16 @@ from hugoniot.diagnostics.velocimetry import (
     spall_strength,
     spall_thickness,
 )
-from hugoniot.output.result_columns import history, record_by_record
 from hugoniot.output.run import largest_value
+from hugoniot.output.spall_records import Record, ends, hit_regions, records, spalled_regions, surface_record
+from hugoniot.units import format_si
 
 LEAST_SIGNAL = 0.4      # part of Z (u1 - u2) that the correction for a window must leave: errors of a velocity grow by its inverse
 LARGEST_MISS = 0.1      # of the pull-back: by how much the minimum may lie below the lowest record
 LARGEST_LOSS = 1.0      # of the pull-back: Kanel's correction takes the slopes of the record as constant over what was lost
 LOST = 0.02             # of the pull-back: gentle pulses lose 1 %, those of impacts 4 % or more (on a mesh, which flattens slopes)
+LEAST_PRESSURE = 1e-4   # of rho c^2: an initial pressure below it moves a surface by less than 1e-4 c
 NOISE = 1e-6            # of the largest speed of a run: what a gauge sees of a wave that has not come yet is less
-SURFACE, WINDOW = "free surface", "window interface"
-
-
-@dataclass(frozen=True)
-class Record:
-    """A velocity record as an interferometer sees it: velocity (m/s, outwards positive) over time (s).
-
-    gauge   name of the gauge, "" for the snapshots' right face; kind SURFACE, WINDOW or ""; region whose end it is, "" if unknown;
-    window  the region behind the interface; source how it was recorded, in words
-    """
-
-    time: np.ndarray
-    velocity: np.ndarray
-    gauge: str = ""
-    kind: str = SURFACE
-    region: str = ""
-    window: str = ""
-    source: str = ""
 
 
 @dataclass(frozen=True)
@@ -66,142 +49,12 @@ class Reading:
     found: PullBack | None = None
 
 
-def free_surface_gauges(run) -> list[str]:
-    """Names of the gauges that ride on a free surface, those of a body that was hit first, then the right-hand one."""
-    names = set(run.gauge_names())
-    at = {gauge["name"]: str(gauge["at"]) for gauge in run.setup["gauges"]}
-    found = [name for name, where in at.items() if where.startswith("free surface") and name in names]
-    found += [name for name in sorted(names) if name.startswith("free surface") and name not in found]
-    hit, regions = hit_regions(run.setup), run.setup["regions"]
-
-    def rank(name):
-        left = "left" in at.get(name, name)
-        return (regions[0 if left else -1]["name"] not in hit, left)
-
-    return sorted(found, key=rank)
-
-
-def hit_regions(setup) -> list[str]:
-    """Names of the regions that belong to a body which a faster one runs into; all of them where nothing strikes anything,
-    and in two dimensions."""
-    regions = setup["regions"]
-    if "axes" in setup:
-        return [region["name"] for region in regions]
-    speeds = [float(np.mean(region["velocity"])) for region in regions]
-    impacts = [(a, b) for a, b in zip(range(len(regions)), range(1, len(regions))) if speeds[a] > speeds[b]]
-    if not impacts:
-        return [region["name"] for region in regions]
-    striking = {max(pair, key=lambda k: abs(speeds[k])) for pair in impacts if abs(speeds[pair[0]]) != abs(speeds[pair[1]])}
-    # the flyer and what flies with it
-    fast = {speeds[k] for k in striking}
-    return [region["name"] for region, speed in zip(regions, speeds) if speed not in fast]
-
-
-def _away(setup) -> list[tuple[str, ...]]:
-    """For every region the sides that look away from what strikes or drives it: its spall signal comes out there."""
-    names, hit = [region["name"] for region in setup["regions"]], hit_regions(setup)
-    striking = [k for k, name in enumerate(names) if name not in hit]
-    driven = [side for side in ("left", "right") if setup["boundaries"][side]["kind"] in ("pressure", "velocity")]
-    found: list[tuple[str, ...]] = []
-    for k, name in enumerate(names):
-        before = any(other < k for other in striking) if striking else driven == ["left"]
-        behind = any(other > k for other in striking) if striking else driven == ["right"]
-        one_sided = name in hit and before != behind
-        found.append(("right" if before else "left",) if one_sided else ("right", "left"))
-    return found
-
-
-def _ends(setup) -> list[tuple[str, str, str, tuple[str, ...]]]:
-    """(region, kind, window, places of a gauge there) of every end at which a region's spall signal can be seen."""
-    regions, found, away = setup["regions"], [], _away(setup)
-    for k, region in enumerate(regions):
-        name = region["name"]
-        for side, other in (("right", k + 1), ("left", k - 1)):
-            own = f"{name}:{side}"
-            if side not in away[k]:
-                continue
-            if not 0 <= other < len(regions):
-                if setup["boundaries"][side]["kind"] == "free":
-                    found.append((name, SURFACE, "", (f"free surface {side}", own)))
-                continue
-            gap = regions[other]["start"] - region["end"] if side == "right" else region["start"] - regions[other]["end"]
-            if gap > 0.0:
-                found.append((name, SURFACE, "", (own,)))
-            elif np.mean(region["velocity"]) == np.mean(regions[other]["velocity"]):    # else it is where they collide
-                pair = f"{name}/{regions[other]['name']}" if side == "right" else f"{regions[other]['name']}/{name}"
-                found.append((name, WINDOW, regions[other]["name"], (pair, own)))
-    return found
-
-
-def records(run) -> list[Record]:
-    """The records of every gauge at a free surface or a window interface: bodies that were hit first,
-    then gauges that the deck names, free surfaces before windows."""
-    if not run.gauge_names() or "axes" in run.setup:     # of two dimensions no end is the free surface
-        return []
-    at = {gauge["name"]: str(gauge["at"]) for gauge in run.setup["gauges"]}
-    hit, found = hit_regions(run.setup), []
-    for region, kind, window, places in _ends(run.setup):
-        name = next((name for place in places for name in run.gauge_names() if at.get(name, name) == place), None)
-        if name is not None:
-            time, velocity = run.gauge("velocity", name)
-            leftward = places[0].endswith("left") if kind == SURFACE else places[1].endswith(":left")
-            found.append(Record(time, -velocity if leftward else velocity, name, kind, region, window, f"gauge '{name}'"))
-    return sorted(found, key=lambda r: (r.region not in hit, at.get(r.gauge) == r.gauge, r.kind != SURFACE))
-
-
-def surface_record(run, name: str | None = None) -> Record:
-    """What a velocity interferometer would record: of the gauge `name`, else of the body that was hit, else of the snapshots' right face.
-
-    Empty where the right end is not free and no gauge rides on a free surface or a window interface.
-    """
-    seen = [record for record in records(run) if name in (None, record.gauge)]
-    if name is not None and not seen:
-        time, velocity = run.gauge("velocity", name)
-        return Record(time, velocity, name, "", source=f"gauge '{name}'")
-    if seen:
-        return seen[0]
-    rows = run.arrays("snapshots")
-    if "axes" in run.setup or run.setup["boundaries"]["right"]["kind"] != "free" or "velocity_right" not in rows:
-        return Record(np.empty(0), np.empty(0), source="nothing")
-    return Record(rows["time"], history(rows, "velocity_right", -1), region=run.setup["regions"][-1]["name"],
-                  source="the snapshots only; a gauge at 'free surface right' would record it more finely")
-
-
-def spalled_regions(run) -> dict[str, float]:
-    """When the first void opened (s), by region, in the order of the events."""
-    rows = run.arrays("events")
-    names = [region["name"] for region in run.setup["regions"]]
-    found: dict[str, float] = {}
-    for kind, text, time, numbers in zip(rows["kind"], rows["text"], rows["time"], rows["numbers"]):
-        if kind == "void_opened":
-            name = region_named(str(text), names) or _region_at(run, float(time), str(numbers))
-            found.setdefault(name, float(time))
-    return {name: time for name, time in found.items() if name}
-
-
-def region_named(text: str, names) -> str:
-    """The region in which a void opened, from the text of its event; "" where that names two or none."""
-    inside = re.search(r" in '(.*)' at ", text)
-    return inside[1] if inside and inside[1] in names else ""
-
-
-def _region_at(run, time: float, numbers: str) -> str:
-    """The region at the place of an event, from the snapshot nearest in time; "" if the event has no place."""
-    place = re.search(r'"position": ([-+.\deE]+)', numbers)
-    rows = run.arrays("snapshots")
-    if place is None or "position_left" not in rows or not len(rows["time"]):
-        return ""
-    k = int(np.argmin(np.abs(rows["time"] - time)))
-    centres = 0.5 * (record_by_record(rows, "position_left")[k] + record_by_record(rows, "position_right")[k])
-    return str(rows["region"][int(np.argmin(np.abs(centres - float(place[1]))))])
-
-
 def constants_of(run, region: str) -> dict[str, float]:
-    """rho0 (kg/m3), c_bulk, c_long (m/s) and s of a region's material at rest, as far as they are known."""
-    name = next(r["material"] for r in run.setup["regions"] if r["name"] == region)
-    material = run.setup["materials"][name]
+    """rho0 (kg/m3), c_bulk, c_long (m/s) and s of a region's material in the state in which it starts, as far as they are known."""
+    record = next(r for r in run.setup["regions"] if r["name"] == region)
+    material = run.setup["materials"][record["material"]]
     known = {c["name"]: c["value"] for law in reversed(material["laws"]) for c in law["constants"] if isinstance(c["value"], (int, float))}
-    rest = material.get("at_rest", {})
+    rest = record.get("starts") or material.get("at_rest", {})
     rho0, bulk = rest.get("density", known.get("rho0")), rest.get("bulk_sound_speed", known.get("c0"))
     if not rho0 or not bulk:
         return {}
@@ -225,7 +78,7 @@ def spall_reading(run, name: str | None = None) -> Reading:
     if not seen and name is None:
         seen = [record for record in (surface_record(run),) if record.region in hit and len(record.time)]
     if not seen:
-        places = sorted({places[0] for region, _, _, places in _ends(run.setup) if region in hit})
+        places = sorted({places[0] for region, _, _, places in ends(run.setup) if region in hit})
         hint = f"; add one at {_listed(places)}" if places and name is None else ""
         where = "no gauge is" if name is None else f"gauge '{name}' is not"
         return Reading(reason=f"{where} on a free surface or window interface of {_listed(hit)}, in which the void opened{hint}")
@@ -252,6 +105,8 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
         reason = (f"the records at {record.source} are too sparse: between two of them the velocity may fall by another {missed:.0%} of "
                   f"the pull-back, and a reliable reading needs less than {LARGEST_MISS:.0%}; reduce gauge_interval")
         return Reading({"peak_velocity": found.peak}, reason, record=record)
+    if reason := _unfit_start(run, record.region) or (_unfit_start(run, record.window) if record.window else ""):
+        return Reading(reason=reason, record=record, found=found)
     window = constants_of(run, record.window) if record.window else None
     if window == {}:
         return Reading(reason=f"the impedance of the window '{record.window}' is not known", record=record, found=found)
@@ -269,6 +124,20 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
     if note:        # Stepanov's formula rests on the same pull-back and is no bound
         numbers.pop("spall_strength_stepanov", None)
     return Reading(numbers, "", note, record, found)
+
+
+def _unfit_start(run, region: str) -> str:
+    """Why the formulas, which start from a uniform state free of stress, do not hold for a region; "" where they do."""
+    start = next((r for r in run.setup["regions"] if r["name"] == region), {})
+    profile = start.get("profile") or {}
+    if any(name != "velocity" for name, _ in profile.get("fields", ())):
+        return f"'{region}' starts in a state that varies along it, and the formulas for the spall strength need a uniform one"
+    state = start.get("starts", {})
+    stiffness = state["density"] * state["bulk_sound_speed"] ** 2 if state else 0.0
+    if state and abs(state["pressure"]) > LEAST_PRESSURE * stiffness:
+        return (f"'{region}' starts under a pressure of {format_si(state['pressure'], 'Pa', 4)}, and the formulas for the spall strength "
+                "need a body that is free of stress")
+    return ""
 
 
 def _eroded(numbers: dict[str, float]) -> str:

@@ -10,7 +10,7 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
 from hugoniot.output.result_columns import record_by_record
-from hugoniot.output.spall_reading import surface_record
+from hugoniot.output.spall_records import surface_record
 from hugoniot.plotting import records
 from hugoniot.plotting.setup import setup
 from hugoniot.plotting.style import FAINT, INK, QUIET, RC

@@ -9,7 +9,8 @@ from hugoniot.diagnostics.velocimetry import visar_velocity
 from hugoniot.diagnostics.wave_diagram import interfaces
 from hugoniot.errors import DeckError
 from hugoniot.output.result_columns import record_by_record
-from hugoniot.output.spall_reading import SURFACE, read_record, spall_reading, spalled_regions, surface_record
+from hugoniot.output.spall_reading import read_record, spall_reading
+from hugoniot.output.spall_records import SURFACE, spalled_regions, surface_record
 from hugoniot.plotting.style import (
     COLOURS,
     INK,

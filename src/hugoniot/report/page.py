@@ -8,7 +8,7 @@ from hugoniot.output.columns import PER_AREA
 from hugoniot.output.run import Run, load
 from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest_rows, is_lower_bound, spall_numbers
 from hugoniot.output.seal import sealed
-from hugoniot.output.spall_reading import SURFACE, surface_record
+from hugoniot.output.spall_records import SURFACE, surface_record
 from hugoniot.page import one_run
 from hugoniot.plotting.inline import picture_tasks
 from hugoniot.report import sections

@@ -9,7 +9,7 @@ from aluminium_decks import EOS, FRACTURE, gauge, impact, region
 import hugoniot
 from hugoniot.campaign.memory_run import MemoryRun
 from hugoniot.campaign.numbers import numbers_of
-from hugoniot.output.spall_reading import spalled_regions
+from hugoniot.output.spall_records import spalled_regions
 from hugoniot.problem.deck import read_deck
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.run import snapshot_times

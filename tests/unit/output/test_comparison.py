@@ -7,7 +7,6 @@ import pytest
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.output.compare import compare, read_table
 from hugoniot.output.run import load
-from hugoniot.output.spall_reading import free_surface_gauges
 
 
 @pytest.fixture(scope="module")
@@ -86,7 +85,3 @@ def test_units_survive_the_reader(tmp_path):
     record = read_table(tmp_path / "d.csv")[0]
     assert (record.gauge, record.field, record.unit) == ("free surface", "velocity", "m/s")
     assert np.allclose(record.time, [0, 1e-3]) and np.allclose(record.values, [0, 2000])
-
-
-def test_free_surface_gauges_are_found(runs):
-    assert free_surface_gauges(runs[0]) == ["free surface"]

@@ -14,21 +14,15 @@ from hugoniot import run
 from hugoniot.cli.main import main
 from hugoniot.diagnostics.velocimetry import pull_back
 from hugoniot.errors import DeckError
+from hugoniot.laws.eos.contract import sound_speed_squared
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.fracture.spall_stress import SpallStress
+from hugoniot.materials.initial_state import energy_at_pressure
 from hugoniot.materials.material import Material
 from hugoniot.output.compare import compare
 from hugoniot.output.run_numbers import is_lower_bound, spall_numbers
-from hugoniot.output.spall_reading import (
-    hit_regions,
-    read_record,
-    reading_of,
-    records,
-    spall_reading,
-    spalled_regions,
-    surface_record,
-    through_window,
-)
+from hugoniot.output.spall_reading import constants_of, read_record, reading_of, spall_reading, through_window
+from hugoniot.output.spall_records import hit_regions, records, spalled_regions, surface_record
 from hugoniot.plotting.records import free_surface as free_surface_velocity
 from hugoniot.problem import catalogue
 from hugoniot.problem.deck import read_deck_text
@@ -47,6 +41,11 @@ def plates(*rows, gauges=(), title="plates", stop=2.6e-6, **ends):
     materials = {name: Material(name, law, fracture=SpallStress(strength) if strength else None) for name, law, strength, *_ in rows}
     regions = tuple(Region(name, name, 1e-3 * a, 1e-3 * b, round((b - a) * 50), velocity=u) for name, _, _, a, b, u in rows)
     return Problem(title, "planar", stop, regions, materials, gauges=tuple(Gauge(*g) for g in gauges), **ends, output=OutputOptions(report=False))
+
+
+def started(problem, **state):
+    """The same, its regions starting in another state."""
+    return replace(problem, regions=tuple(replace(region, **state) for region in problem.regions))
 
 
 def pulse():
@@ -69,6 +68,8 @@ def ran(tmp_path_factory):
         "no gauge": plates(FLYER, TARGET, ("window", PLASTIC, None, 4, 10, 0.0)),
         "stiff window": plates(("flyer", COPPER, None, -3, 0, SPEED), ("target", TANTALUM, 3e9, 0, 5, 0.0),
                                ("window", FLUORIDE, None, 5, 12, 0.0), gauges=[("Ta/LiF", "target/window")], stop=4e-6),
+        "heated": started(plates(TARGET, left=pulse()), density=2300.0),
+        "heated to a pressure": started(plates(TARGET, left=pulse()), density=2700.0, pressure=3e9),
         "impactor": plates(("flyer", ALUMINIUM, STRENGTH, -4, 0, SPEED), ("target", ALUMINIUM, None, 0, 1.5, 0.0)),
     }
     found = {}
@@ -89,6 +90,20 @@ def test_the_strength_that_was_put_in_is_read_back(ran, name, gauge, strength, w
     reading = spall_reading(ran(name))
     assert (reading.record.gauge, reading.record.region) == (gauge, "target")
     assert reading.numbers["spall_strength_acoustic"] == pytest.approx(strength, rel=within)
+
+
+def test_a_heated_body_is_read_with_the_constants_of_its_hot_state(ran):
+    """At 2300 kg/m3 without pressure the impedance is lower: with the constants of the reference state the strength would be more than a fifth too high."""
+    rho, c = 2300.0, float(sound_speed_squared(2300.0, energy_at_pressure(2300.0, 0.0, ALUMINIUM), ALUMINIUM)) ** 0.5
+    found = constants_of(ran("heated"), "target")
+    assert (found["rho0"], found["c_bulk"]) == (rho, pytest.approx(c, rel=1e-12))
+    assert 1.2 * rho * c < 2700.0 * 5200.0
+    assert spall_reading(ran("heated")).numbers["spall_strength_acoustic"] == pytest.approx(STRENGTH, rel=0.05)
+
+
+def test_no_strength_is_read_off_a_body_that_starts_under_pressure(ran):
+    reading = spall_reading(ran("heated to a pressure"))
+    assert not reading.numbers and "'target' starts under a pressure of 3 GPa" in reading.reason
 
 
 @pytest.mark.parametrize("name, window", [("free", None), ("window", PLASTIC)])
