@@ -60,17 +60,17 @@ def shortened(length, foot, strain, solver):
 
 
 PROBLEMS = (
-    PlaneProblem("howell_ring", "Howell and Ball's beryllium ring, n x n zones", partial(shell, "plane", 417.1, -1.0),
-                 1.02 * RING["stop_time"], partial(stopped, RING["stop_radius"]),
+    PlaneProblem("howell_ring", "Howell and Ball's beryllium ring, which moves inwards and stops, n x n zones",
+                 partial(shell, "plane", 417.1, -1.0), 1.02 * RING["stop_time"], partial(stopped, RING["stop_radius"]),
                  (Bar("stop_radius", 20, goal=0.006), Bar("asymmetry", 20, goal=1e-6)), (10, 20)),
-    PlaneProblem("verney_sphere", "Verney's beryllium sphere, area weighted, n x n zones", partial(shell, "axisymmetric", 675.036, -2.0),
-                 1.02 * SPHERE["stop_time"], partial(stopped, SPHERE["stop_radius"]),
+    PlaneProblem("verney_sphere", "Verney's beryllium sphere, which moves inwards and stops, n x n zones, scheme area_weighted",
+                 partial(shell, "axisymmetric", 675.036, -2.0), 1.02 * SPHERE["stop_time"], partial(stopped, SPHERE["stop_radius"]),
                  (Bar("stop_radius", 20, goal=0.0167), Bar("asymmetry", 20, goal=0.003)), (10, 20)),
-    PlaneProblem("taylor_copper", "Taylor bar of copper, 227 m/s", partial(bar, copper(), 227.0, LENGTH / RADIUS), 80e-6,
-                 partial(shortened, 21.5e-3, 7.1e-3, 2.875),
+    PlaneProblem("taylor_copper", "Taylor bar of copper, 227 m/s, compared with other codes",
+                 partial(bar, copper(), 227.0, LENGTH / RADIUS), 80e-6, partial(shortened, 21.5e-3, 7.1e-3, 2.875),
                  (Bar("length", 20, goal=0.007), Bar("foot", 20, goal=0.0211), Bar("plastic_strain", 20, goal=0.13),
                   Bar("filter_work", 20, goal=0.01)), (5, 20)),
-    PlaneProblem("taylor_steel", "Taylor bar of steel, Johnson-Cook, 287 m/s, 5 x 50 zones, against DynELA",
+    PlaneProblem("taylor_steel", "Taylor bar of steel, Johnson-Cook, 287 m/s, 5 x 50 zones, compared with the code DynELA",
                  partial(bar, steel(), 287.0, 10.0), 80e-6, partial(shortened, 26.52e-3, 0.5 * 11.15e-3, 1.78),
                  (Bar("length", 5, goal=0.003), Bar("foot", 5, goal=0.015), Bar("plastic_strain", 5, goal=0.04)), (5,)),
 )

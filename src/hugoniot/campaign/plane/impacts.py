@@ -170,13 +170,14 @@ def crossing(x, p, near, level):
 
 MEETING = POINT * np.tan(LEAN) / FLIGHT
 PROBLEMS = (
-    PlaneProblem("spinning_square", "a free stressed square spins through one revolution in n steps", square, TURN, turned,
+    PlaneProblem("spinning_square", "a free square under stress turns through one revolution in n steps", square, TURN, turned,
                  (*(Bar(measure, n, goal=goal) for measure, goal in (("stress_drift", 1e-6), ("angle_error", 1e-5)) for n in (100, 400)),),
                  (100, 400)),
-    PlaneProblem("disc_impact", "aluminium disc on aluminium, 700 m/s, until the release from its edge is near the axis", disc, 1.4e-6,
-                 released, (*(Bar(measure, n, goal=goal) for measure, goal in (("axis_pressure", 1e-3), ("release_arrival", 0.02))
-                              for n in (16, 24)),), (16, 24)),
-    PlaneProblem("oblique_impact", "oblique impact of two plates at 6 degrees to the plane of symmetry, 2 km/s, against the shock polar",
-                 plates_that_meet, MEETING, behind,
+    PlaneProblem("disc_impact", "aluminium disc strikes aluminium at 700 m/s, until the release from its edge is near the axis",
+                 disc, 1.4e-6, released,
+                 (*(Bar(measure, n, goal=goal) for measure, goal in (("axis_pressure", 1e-3), ("release_arrival", 0.02))
+                    for n in (16, 24)),), (16, 24)),
+    PlaneProblem("oblique_impact", "oblique impact of two plates at 6 degrees to the plane of symmetry, 2 km/s, compared with the "
+                 "shock polar", plates_that_meet, MEETING, behind,
                  (Bar("pressure", 20, goal=5e-3), Bar("shock_angle", 20, goal=0.2), Bar("contact_depth", 20, goal=1e-3)), (20,)),
 )

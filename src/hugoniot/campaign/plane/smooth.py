@@ -134,13 +134,13 @@ def turned(solver):
 
 
 PROBLEMS = (
-    PlaneProblem("coggeshall_rz", "Coggeshall's compression of a cylinder of gas, t = 0.8", compressed, 0.8, uniform,
+    PlaneProblem("coggeshall_rz", "Coggeshall's smooth compression of a cylinder of gas, t = 0.8", compressed, 0.8, uniform,
                  (Bar("density", 20, goal=0.005), Bar("density", 40, goal=0.005)), (20, 40)),
-    PlaneProblem("kidder_ring", "Kidder's ring, to 0.9 of its collapse", ring, PART * COLLAPSE, squeezed,
+    PlaneProblem("kidder_ring", "Kidder's isentropic compression of a ring, to 0.9 of its collapse time", ring, PART * COLLAPSE, squeezed,
                  (Bar("inner_radius", 100, goal=1e-4), Bar("outer_radius", 100, goal=1e-4), Bar("asymmetry", 100, goal=1e-12),
                   Bar("viscous_work", 100, goal=1e-3)), (25, 50, 100)),
-    PlaneProblem("gresho", "Gresho's vortex after half a radian", vortex, 0.1, loss,
+    PlaneProblem("gresho", "Gresho's steady vortex after half a radian of rotation", vortex, 0.1, loss,
                  (Bar("peak_speed", 40, goal=0.05),), (20, 40, 80)),
-    PlaneProblem("taylor_green", "Taylor and Green's vortices, kept steady by heat, t = 0.5, no viscosity", vortices, 0.5, turned,
+    PlaneProblem("taylor_green", "Taylor and Green's vortices, kept steady by a heat source, t = 0.5, no viscosity", vortices, 0.5, turned,
                  (), (16, 32, 64), heat),
 )

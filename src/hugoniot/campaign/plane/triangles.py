@@ -38,7 +38,7 @@ PROBLEMS = (
                  (50, 100)),
     PlaneProblem("sedov_triangles", "Sedov's cylindrical blast wave on triangles, n x n cells", partial(divided, _SEDOV), 1.0, sedov_front,
                  (), (45, 90)),
-    PlaneProblem("taylor_triangles", "Taylor bar of copper on triangles, against the same bar on quadrilaterals",
+    PlaneProblem("taylor_triangles", "Taylor bar of copper on triangles, compared with the same bar on quadrilaterals",
                  partial(divided, _BAR), 80e-6,
                  partial(beside_quads, _BAR, 80e-6), tuple(Bar("length_beside_quads", n, goal=0.02) for n in (5, 10, 20)), (5, 10)),
 )

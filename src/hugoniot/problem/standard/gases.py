@@ -148,7 +148,7 @@ PROBLEMS = (
          Bar("density_l1", 400, 1.72e-3, 1.32e-3), Bar("density_l1", 800, 8.7e-4, 6.6e-4)),
         "sod", rates=frozen(density_l1=1.0), zones=(100, 200, 400, 800)),
     StandardProblem(
-        "leblanc", "LeBlanc's shock tube: an energy ratio of a million", build_leblanc,
+        "leblanc", "LeBlanc's shock tube: ratio of energies 10^6", build_leblanc,
         (Measure("shock_position", "front", "density", at=1), Measure("density_l1", "l1", "density", (0.0, 9.0)),
          Measure("energy_l1", "l1", "energy", (0.0, 9.0))),
         (Bar("shock_position", 360, 0.272, 0.143), Bar("shock_position", 720, 0.191, 0.128, 0.05),
@@ -164,7 +164,7 @@ PROBLEMS = (
         "collision", "Two colliding streams: two strong shocks", build_collision,
         (Measure("density_l1", "l1", "density", (0.72, 1.25)), Measure("energy_l1", "l1", "energy", (0.72, 1.25))), (), "collision"),
     StandardProblem(
-        "woodward_colella", "Two interacting blast waves, compared with our own fine-grid run and with four reference densities",
+        "woodward_colella", "Two interacting blast waves, compared with a run on 3200 zones and with four reference densities",
         build_woodward_colella,
         (Measure("density_self_l1", "self_l1", "density", (0.0, 1.0), exact=3200.0), Measure("reference_density", "points", "density"),
          Measure("peak_density", "maximum", "density")),
@@ -180,11 +180,11 @@ PROBLEMS = (
          Measure("density_l1", "l1", "density", scale=0.01)),
         (Bar("outer_radius", 100, goal=1e-4),), "kidder", rates=frozen(outer_radius=1.9), zones=(25, 50, 100, 200)),
     StandardProblem(
-        "double_burgers", "Smooth standing wave of a gamma = 3 gas: second order required", build_double_burgers,
+        "double_burgers", "Smooth standing wave of a gamma = 3 gas: converges with second order", build_double_burgers,
         (Measure("density_l1", "l1", "density"), Measure("velocity_l1", "l1", "velocity")), (), "double_burgers",
         rates=frozen(density_l1=1.95, velocity_l1=1.95), zones=(50, 100, 200, 400)),
     StandardProblem(
-        "water_gas", "Compressed liquid against a gas: pressure ratio ten thousand", build_water_gas,
+        "water_gas", "Shock tube, compressed liquid against a gas: ratio of pressures 10^4", build_water_gas,
         (Measure("plateau_pressure", "mean", "pressure", (0.72, 0.80), "star_pressure"),
          Measure("plateau_velocity", "mean", "velocity", (0.50, 0.80), "star_velocity"),
          Measure("density_l1", "l1", "density", scale=1000.0)),
