@@ -1,9 +1,11 @@
 """
-Sedov's blast wave against the exact solution
-=============================================
+Sedov's blast wave
+==================
 
-0.851072 J released at a point of a cold gas (gamma 1.4, 1 kg/m³): after one second the shock has reached 1 m. The
-self-similar solution is integrated to round-off; the simulation starts from a hot ball of 1 cm.
+An energy of 0.851072 J is released at a point in a cold gas (gamma = 1.4, density 1 kg/m³). The exact, self-similar solution
+has the shock at a radius of 1 m after one second, with a density of 6 kg/m³ behind it. The simulation starts from a hot ball of
+1 cm radius. After one second its shock is at 0.999 m with a peak density of 5.85 kg/m³: the peak is cut off because the shock
+is spread over a few zones.
 """
 
 import tempfile
@@ -22,7 +24,8 @@ exact, rows = sedov(), run.arrays("snapshots")
 centre = 0.5 * (rows["position_left"] + rows["position_right"])
 
 # %%
-# Left: density at three times (dots) and the exact profiles (lines). Right: the radius of the shock, which grows as t to the power 2/5.
+# Left: density at three times, simulation (dots) and exact profiles (lines). Right: the radius R of the shock, which grows as the
+# power 2/5 of the time t.
 fig, (one, two) = plt.subplots(1, 2, figsize=(7.2, 3.2), layout="constrained")
 x = np.linspace(1e-3, 1.15, 3000)
 for k, wanted in enumerate((0.2, 0.5, 1.0)):
@@ -35,7 +38,7 @@ time = rows["time"][2:]
 front = [c[np.flatnonzero(r > 2.0)[-1]] for r, c in zip(rows["density"][2:], centre[2:])]
 two.loglog(time, [exact.jumps(t)[0] for t in time], color=INK, lw=0.8)
 two.loglog(time, front, "o", ms=3, mfc="none", color=COLOURS[0])
-two.text(0.2, 0.75, "exact: R = t^(2/5)", fontsize=8.5, ha="center")
+two.text(0.2, 0.75, "exact, R ∝ t^(2/5)", fontsize=8.5, ha="center")
 two.text(0.35, 0.52, "simulation", color=COLOURS[0], fontsize=8.5)
 two.set(xlabel="time (s)", ylabel="radius of the shock (m)")
 two.minorticks_off()
