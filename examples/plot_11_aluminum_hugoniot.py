@@ -1,10 +1,11 @@
 """
-Aluminium: Hugoniot, Rayleigh line and a doubtful extrapolation
-===============================================================
+Aluminium: Hugoniot, Rayleigh lines and a doubtful extrapolation
+================================================================
 
-This repeats figure 2.3 of the manual of the KB codes: pressure against particle velocity up to 30 km/s, with a marked
-state of 3401 GPa at 30 km/s, which comes from a table that is not public. A straight Us-up line through gas-gun data
-overshoots it: outside the range of its data (solid line) a fit is an extrapolation (dashed line).
+Pressure against particle velocity for aluminium 6061, after figure 2.3 of the manual of the KB codes. The straight Us-up line
+of the library is a fit to data up to 3.8 km/s (solid). The manual gives one state at 30 km/s, 3401 GPa, from a table that is
+not public. Extended to that velocity (dashed), the fit gives 3831 GPa, 13 % more. Outside the range of its data a Us-up fit is
+an extrapolation.
 """
 
 import matplotlib.pyplot as plt
@@ -23,15 +24,15 @@ up, p = reach.particle_velocity / 1e3, reach.pressure / 1e9
 known = up <= limit
 
 # %%
-# Left: the range of the table. Right: the range of the data. The slope of a Rayleigh line is the shock impedance, density times
-# shock velocity.
+# Left: up to the state of the manual. Right: the range of the data, with Rayleigh lines (black) to three states. The slope of a
+# Rayleigh line is the initial density times the shock velocity Us.
 fig, (ax, near) = plt.subplots(1, 2, figsize=(7.4, 3.6), layout="constrained", width_ratios=(1.2, 1))
 ax.plot(up[known], p[known], color=COLOURS[0])
 ax.plot(up[~known], p[~known], color=COLOURS[0], ls=(0, (4, 2)))
 ax.plot([0, 30], [0, 3401], color=INK, lw=0.8)
 ax.plot(30, 3401, "o", color=INK, ms=5)
 speed = 3.401e12 / (2700.0 * 30e3)
-ax.annotate(f"KBTView: 3401 GPa\nUs = p/(ρ₀ up) = {speed / 1e3:.2f} km/s", (30, 3401), xytext=(31.5, 250), ha="right", fontsize=8.5,
+ax.annotate(f"KB manual: 3401 GPa\nUs = p/(ρ₀ up) = {speed / 1e3:.2f} km/s", (30, 3401), xytext=(31.5, 250), ha="right", fontsize=8.5,
             arrowprops={"arrowstyle": "-", "lw": 0.6, "shrinkB": 4})
 ax.text(11.5, 1480, "Rayleigh line", fontsize=8.5, ha="right")
 ax.text(22, 3000, f"extrapolated fit\nUs = {reach.shock_velocity[-1] / 1e3:.2f} km/s", color=COLOURS[0], fontsize=8.5, ha="right")

@@ -1,10 +1,11 @@
 """
-Cold curves: series of order 3 to 6 against the exact one
-=========================================================
+Cold curves: power series against the exact curve
+=================================================
 
-Jordan 2011 expands the cold energy of copper and of porous silica in a power series of the strain. The exact curve is
-an exponential integral. It shows the error of the series: 21 % at a strain of 0.3 for copper at order 3, and near the
-compression limit of silica no order gives a useful number.
+Jordan (2011) expands the cold energy (at zero temperature) of copper and of porous silica in a power series of the strain 1 -
+ρ₀/ρ. The exact cold energy of the same material model can be written with the exponential integral, which shows the error of
+the series truncated at orders 3 to 6. For copper at a strain of 0.3 order 3 is 21 % too low and order 6 is 1.5 % too low. Near
+the compression limit of the silica powder, at a strain of 0.97, every order is more than 75 % too low.
 """
 
 import matplotlib.pyplot as plt

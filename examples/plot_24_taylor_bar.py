@@ -1,10 +1,11 @@
 """
-A copper bar against a wall
-===========================
+Taylor test: a copper bar strikes a rigid wall
+==============================================
 
-Taylor's test: a bar of 32.4 mm strikes a rigid wall at 227 m/s. The foot spreads, a plastic wave runs up the bar and stops, and the
-final length is a measure of the strength. The length and the radius of the foot converge as the mesh is refined; the shaded bands are
-the results of published codes.
+A copper bar 32.4 mm long and 6.4 mm in diameter strikes a rigid wall at 227 m/s. The foot spreads, a plastic wave runs up the
+bar and stops, and the final length is a measure of the strength. On the finest of four meshes the final length is 21.49 mm and
+the radius of the foot 7.09 mm. Both lie within the range of the results of published codes (grey bands) when the radius is
+divided into six zones or more.
 """
 
 import tempfile
@@ -25,7 +26,8 @@ length = {n: last[n]["position_y"][-1].max() * 1e3 for n in zones}
 foot = {n: last[n]["position_x"][-1].max() * 1e3 for n in zones}
 
 # %%
-# The bar at three times, mirrored about its axis: plastic strain. At 20 us the foot has nearly its final shape; at 80 us all is at rest.
+# Plastic strain in the bar at three times; the axisymmetric result is mirrored about its axis. At 20 µs the foot has spread, but
+# the rear of the bar is still undeformed. At 80 µs the bar is at rest.
 fig, axes = plt.subplots(1, 3, figsize=(7.2, 4.6), layout="constrained", sharey=True)
 for ax, time in zip(axes, ("0 us", "20 us", "80 us")):
     found[8].plot.map("plastic_strain", time=time, limits=(0.0, 2.0), mesh=True, ax=ax, colorbar=False)
@@ -36,13 +38,13 @@ bar.set_label("equivalent plastic strain")
 bar.outline.set_visible(False)
 
 # %%
-# Effect of the mesh: with six or more zones across the radius (0.53 mm each), length and foot lie within the bands.
+# Final length and foot radius against the width of a zone, for 3, 4, 6 and 8 zones across the radius.
 fig, axes = plt.subplots(1, 2, figsize=(7.2, 2.8), layout="constrained")
-for ax, values, band, words in zip(axes, (length, foot), ((21.42, 21.66), (6.97, 7.24)), ("length", "radius of the foot")):
+for ax, values, band, label in zip(axes, (length, foot), ((21.42, 21.66), (6.97, 7.24)), ("length", "radius of the foot")):
     ax.axhspan(*band, color=QUIET, alpha=0.2, lw=0)
     ax.text(0.0, band[1], " published codes", va="top", fontsize=8.5, color=QUIET)
     ax.plot([3.2 / n for n in zones], list(values.values()), "o-", color=COLOURS[0])
-    ax.set(xlim=(0, 1.2), xlabel="width of a zone (mm)", ylabel=f"{words} after 80 µs (mm)")
+    ax.set(xlim=(0, 1.2), xlabel="width of a zone (mm)", ylabel=f"{label} after 80 µs (mm)")
 strain = float(last[8]["plastic_strain"][-1].max())
 print(f"8 zones across the radius: length {length[8]:.2f} mm, foot {foot[8]:.2f} mm, largest plastic strain {strain:.2f}")
 print("largest relative energy error:", np.max([run.summary["energy_error"] for run in found.values()]))
