@@ -27,7 +27,7 @@ mixture = Material("gas", gas, burn=Arrhenius(RATE, 50.0), unreacted=gas, mixtur
 # %%
 # The run starts from the exact steady reaction zone. A window of zones moves with the front, and sound waves leave at its rear.
 # Five zones per half-reaction length (the distance from the shock to the point where half of the gas has reacted) are coarse, but
-# enough here. The coefficient `quadratic` of the artificial viscosity is (gamma + 1)/4, which suits a strong shock.
+# enough here. The coefficient ``quadratic`` of the artificial viscosity is (gamma + 1)/4, which suits a strong shock.
 found = follow(mixture, Initial(1.0, 1.0, 5.0), 62.0, overdrive=1.6, zones=5, window=12.0, viscosity={"quadratic": 0.55, "linear": 1.0})
 times, crests = found.crests(after=38.0)
 

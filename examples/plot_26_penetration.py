@@ -3,7 +3,7 @@ Penetration by an eroding rod
 =============================
 
 A steel rod 10 mm in diameter and 60 mm long strikes a steel block at 2.5 km/s. Rod and target flow at the bottom of the crater,
-where the mesh would tangle. `[solver.erosion]` therefore removes zones whose plastic strain reaches 1.5, and contact continues
+where the mesh would tangle. ``[solver.erosion]`` therefore removes zones whose plastic strain reaches 1.5, and contact continues
 on the new surfaces. The crater deepens at 1217 m/s. For fluids of equal density the rate is half the impact speed, 1250 m/s;
 the strength of the steel makes it a little slower.
 """
