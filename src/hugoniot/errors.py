@@ -4,14 +4,14 @@ from dataclasses import dataclass, field
 
 
 class HugoniotError(Exception):
-    """Base of everything the package raises on purpose; `exit_code` is what the command line returns."""
+    """Base class of the errors of this package; `exit_code` is the exit code of the command line."""
 
     exit_code = 1
 
 
 @dataclass
 class DeckProblem:
-    """One thing wrong with a deck: where, what, and the remedy."""
+    """One mistake in a deck: its place, what is wrong, and a suggested fix."""
 
     file: str
     line: int | None
@@ -27,9 +27,11 @@ class DeckProblem:
 
 
 class DeckError(HugoniotError):
-    """A deck, a material file or another input that cannot be used; carries the problems listed and how many `more` were found.
+    """A deck, a material file or another input that cannot be used.
 
-    at_least   the reading stopped before its end, so that there may be others beyond those
+    problems   the mistakes
+    more       number of further mistakes that are not listed
+    at_least   reading stopped early, so that there may be others
     """
 
     exit_code = 2
@@ -40,7 +42,7 @@ class DeckError(HugoniotError):
 
     @property
     def count(self) -> str:
-        """How many problems there are, in words."""
+        """The number of mistakes, as text."""
         if self.more:
             least = "at least " if self.at_least else ""
             return f"{least}{len(self.problems) + self.more} problems; the first {len(self.problems)} are shown"
@@ -53,9 +55,9 @@ class DeckError(HugoniotError):
 
 @dataclass
 class UnphysicalState(HugoniotError):
-    """A state no material can be in, found in the cycle in which it arose.
+    """A state that is not physical, such as a negative density, found in the cycle in which it arose.
 
-    zone, position (m) and time (s) say where and when; `cause` and `remedy` are sentences; `values` holds the fields there.
+    `zone`, `position` (m) and `time` (s) say where and when. `cause` and `remedy` are sentences, and `values` holds the fields there.
     """
 
     cause: str
@@ -81,18 +83,18 @@ class UnphysicalState(HugoniotError):
 
 
 class OutOfRange(HugoniotError, ValueError):
-    """A law or a tool was asked for a state outside its range of definition; the message states the limit."""
+    """A state outside the range in which a law or a tool is defined; the message states the limit."""
 
     exit_code = 3
 
 
 class NoSolution(HugoniotError, ArithmeticError):
-    """A search that has no solution, or did not find one; the message says in which interval it looked."""
+    """A search has no solution or did not find one; the message states the interval that was searched."""
 
     exit_code = 3
 
 
 class FileTrouble(HugoniotError, OSError):
-    """A file or folder that cannot be read or written as asked; nothing that existed is lost."""
+    """A file or folder cannot be read or written; existing data are not lost."""
 
     exit_code = 4

@@ -60,15 +60,16 @@ def _recorder(folder: RunFolder, problem, solver, progress, warned=()):
 
 def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=None, overwrite: bool = False,
         report: bool | Callable = True, **overrides) -> "Run":
-    """Run a deck (its path, or a Deck that has been read) or a Problem and return the finished Run.
+    """Run a deck (its path, or a `Deck`) or a `Problem` and return the finished `Run`.
 
-    out         run folder; default: the deck's name (or the title) with `.run`, in the current folder
-    progress    object with update(solvers.run.Report), or None
+    out         run folder; default: the name of the deck (or the title of the problem) with `.run`, in the current folder
+    deck_text   of a `Problem`: the deck text to keep in the run folder (default: written from the problem)
+    progress    object whose method `update` is called with the progress of the run, or None
     overwrite   replace a run that is already in the folder
-    report      whether report.html is written, or a function that writes it into a finished run's folder
+    report      whether report.html is written, or a function that writes it into the folder of the finished run
     overrides   keys of the deck to change first: stop_time="3 us", solver={"courant": 0.3}, ...
 
-    Raises DeckError, UnphysicalState (a post-mortem is left in the folder) or FileTrouble.
+    Raises `DeckError`, `UnphysicalState` (the state is then written to the folder for diagnosis) or `FileTrouble`.
     """
     begun = time.perf_counter()
     problem, text, warnings, name = _read(deck_or_problem, deck_text, overrides)
@@ -81,13 +82,14 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
 
 
 def resume(folder, progress=None, report: bool | Callable = True, restore_deck: bool = False) -> "Run":
-    """Continue an interrupted or killed run from its newest intact checkpoint; the result is the same bit for bit.
+    """Continue an interrupted or killed run from its newest intact checkpoint and return the finished `Run`.
 
-    If the run was killed after its last step, only what is missing is written: gauges.csv, deck and report.
+    On the same machine the result is bit for bit that of an uninterrupted run. If the run was killed after its last step, only the
+    missing files are written.
 
-    restore_deck   put the deck that the checkpoints keep back into the folder first
+    restore_deck   first restore the deck with which the run was started; the checkpoints contain a copy
 
-    Raises `FileTrouble` if another process is using the folder, or its deck is not the one the run was started with.
+    Raises `FileTrouble` if another process is using the folder, or if the deck in it has been changed since the start.
     """
     with end_like_interrupt(), RunFolder(folder, resume=True) as place:
         return _completed(place, report) if place.finished else _continued(place, progress, report, restore_deck)

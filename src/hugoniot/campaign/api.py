@@ -37,47 +37,51 @@ def _listed(values) -> str:
 
 def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Sequence[str] | str = (), *, tie: Sequence[str] = (),
           out: str | os.PathLike | None = None, workers: int | None = None, engine: str = "local", scheduler: str | None = None,
-          materials: Sequence = (), report: bool = True, **wishes):
-    """Run a deck with some of its keys varied, and return the table as an xarray Dataset with the parameters as coordinates.
+          materials: Sequence = (), report: bool = True, **options):
+    """Run a deck with some of its keys varied; return an xarray Dataset of the results with the parameters as coordinates.
 
-    deck       path of a deck, or of a file with a [sweep] table; None for a match
+    deck       path of a deck, or of a file with a [sweep] table; None for impedance matches
     vary       {"region.flyer.velocity": "300..1200 m/s : 10", "material.al.fracture.strength": ["1 GPa", "2 GPa"]}, or strings
     tie        strings such as "region.target.to = region.flyer.to + 4 mm"
     out        folder (default: the deck's name with .sweep); cases that are already there are not run again
     workers    processes (default: one for each processor)
-    engine     "local", or "dask" with the address of a `scheduler` or workers of this machine
-    wishes     design, samples, seed, match, output, record, keep, time_limit, uncertain: see `campaign.ask.Wishes`
+    engine     "local", or "dask"; with Dask, `scheduler` is the address of a scheduler (None: workers on this machine)
+    materials  files and folders of your own materials
+    options    design, samples, seed, match, output, record, keep, time_limit, uncertain: as the options of `hugoniot sweep`
 
-    Results are SI, NaN where a case failed; `reason` says why. Raises `DeckError` and `FileTrouble`.
+    Results are in SI units. Where a case failed they are NaN, and the variable `reason` says why. Raises `DeckError` and `FileTrouble`.
     """
     tie = [tie] if isinstance(tie, str) else list(tie)
-    chosen = None if (engine, scheduler) == ("local", None) else engine_of(engine, scheduler, workers, wishes.get("time_limit"))
-    asked = Wishes(vary=texts(vary), tie=tie, **wishes)
+    chosen = None if (engine, scheduler) == ("local", None) else engine_of(engine, scheduler, workers, options.get("time_limit"))
+    asked = Wishes(vary=texts(vary), tie=tie, **options)
     swept = run_sweep(deck, asked, out, engine=chosen, materials=materials, workers=workers, report=report)
     return open_sweep(swept.folder / TABLE)
 
 
 def fit(deck: str | os.PathLike, to: Sequence[str] | str, free: Mapping[str, str] | Sequence[str] | str, *, tie: Sequence[str] = (),
-        out: Any = None, workers: int | None = None, materials: Sequence = (), **wishes):
-    """Find constants of a deck from measured records; a Dataset of the parameters with intervals and correlations.
+        out: Any = None, workers: int | None = None, materials: Sequence = (), **options):
+    """Find constants of a deck from measured records; return a Dataset of the parameters with intervals and correlations.
 
     to       files of measured records, or numbers such as "free surface.arrival = 0.69 +- 0.01 us"
     free     {"material.ta.fracture.strength": "1..8 GPa"}, or strings
     out      folder (default: the deck's name with .fit); False writes nothing
-    wishes   gauge, sigma, window, shift, scale, loss, starts, seed, profile, local: see `campaign.run_fit.FitWishes`
+    tie      strings such as "region.target.to = region.flyer.to + 4 mm"
+    options  gauge, sigma, window, shift, scale, loss, starts, seed, profile, local, posterior: as the options of `hugoniot fit`
 
-    With posterior="surrogate" or "runs" it also has `draws` (draw, parameter) of the posterior, its `quantiles`, and the bands
-    `prior_predictive` and `posterior_predictive` (level, point) of all data in their order.
+    Values are in SI units. The attributes are the reduced chi-square, `matches` (whether the model matches the data), `doubts` (to be
+    read before a value is used) and `deck` (the text of the fitted deck).
 
-    SI. The attributes hold the reduced chi-square, whether the model `matches`, and `doubts` to be read before a value is used; the
-    fitted deck is the attribute `deck`. Raises `DeckError`, `FileTrouble`, `NoSolution`.
+    With posterior="surrogate" or "runs" the Dataset also has the `draws` (draw, parameter) of the posterior, its `quantiles`, and the
+    bands `prior_predictive` and `posterior_predictive` (level, point) of all data in the order given.
+
+    Raises `DeckError`, `FileTrouble`, `NoSolution`.
     """
     import xarray
 
     from hugoniot.campaign.run_fit import FitWishes, run_fit
 
     asked = FitWishes([str(to)] if isinstance(to, (str, os.PathLike)) else [str(each) for each in to], texts(free),
-                      [tie] if isinstance(tie, str) else list(tie), **wishes)
+                      [tie] if isinstance(tie, str) else list(tie), **options)
     found = run_fit(deck, asked, out, workers=workers, materials=materials)
     rows = found.fit.parameters
     columns = {name: ("parameter", [getattr(row, name) for row in rows])

@@ -1,4 +1,4 @@
-r"""The free-surface velocity as an interferometer sees it, and what is read from it: pull-back, spall strength, spall thickness.
+r"""The free-surface velocity as an interferometer records it, and what follows from it: pull-back, spall strength, spall thickness.
 
 A velocity interferometer with delay $\tau$ sees the surface's displacement over the delay: the fringe count
 $F = 2\,[x(t) - x(t-\tau)] / \lambda$ gives the velocity averaged over $[t-\tau, t]$, assigned to $t - \tau/2$
@@ -8,8 +8,9 @@ The spall strength follows from the pull-back $\Delta u$ of the free-surface vel
 
 $$\sigma = \tfrac12\,\rho_0\,c_0\,\Delta u$$
 
-(S. A. Novikov, I. I. Divnov, A. G. Ivanov, Phys. Met. Metall. 21 (1966) 608), with c0 the bulk sound speed. In an elastic-plastic body
-the front of the spall pulse runs at the longitudinal speed $c_l$ and overtakes the release at $c_b$, which lowers the observed pull-back:
+(S. A. Novikov, I. I. Divnov, A. G. Ivanov, Phys. Met. Metall. 21 (1966) 608), with the bulk sound speed $c_0 = c_b$. In an elastic-plastic
+body the front of the spall pulse runs at the longitudinal speed $c_l$ and overtakes the release at $c_b$, which lowers the observed
+pull-back:
 
 $$\sigma = \rho_0\,c_l\,\Delta u\,\frac{1}{1 + c_l/c_b}$$
 
@@ -18,7 +19,8 @@ elastic front also erodes a short tension pulse; G. I. Kanel, J. Appl. Mech. Tec
 
 $$\delta = \left(\frac{h}{c_b} - \frac{h}{c_l}\right)\frac{|\dot u_1|\,\dot u_2}{|\dot u_1| + \dot u_2}$$
 
-with the slopes of the record before and after its minimum. (Bulk and longitudinal speeds at rest; all neglect the rate of fracture.)
+with the slopes of the record before and after its minimum. (All use sound speeds of the reference state and neglect the rate of
+fracture.)
 """
 
 from typing import NamedTuple
@@ -29,7 +31,7 @@ QUARTILES = (0.25, 0.5, 0.75)
 
 
 class PullBack(NamedTuple):
-    """peak: velocity (m/s, see `plateau`) and time (s) before the drop; minimum: the same at its bottom; rebound: the highest after it."""
+    """A drop of the free-surface velocity: velocity (m/s) and time (s) before it, at its minimum, and at the highest point after it."""
 
     peak: float
     peak_time: float
@@ -45,7 +47,7 @@ class PullBack(NamedTuple):
 
 
 def visar_velocity(time, velocity, delay: float):
-    """What a VISAR of delay `delay` (s) shows: (times at the middle of the delay, mean velocity over it).
+    """The velocity that a VISAR with this delay (s) shows: (times at the middle of the delay, mean velocity over the delay).
 
     time (n,) s, increasing; velocity (n,) m/s. The mean is the exact displacement of the piecewise linear record over the delay;
     the surface is at rest before the record begins.
@@ -210,7 +212,7 @@ def spall_strength(drop: float, rho0: float, c_bulk: float, c_long: float | None
 
 
 def kanel_correction(time, velocity, found: PullBack, thickness: float, c_bulk: float, c_long: float) -> float:
-    """What the elastic front took from the pull-back on its way through `thickness` (m), m/s; 0 where the body has no strength."""
+    """Kanel's correction of the pull-back (m/s): what the elastic front eroded on its way through `thickness` (m); 0 without strength."""
     return erosion(time, velocity, found, thickness / c_bulk - thickness / c_long)
 
 

@@ -39,7 +39,7 @@ def load(folder, partial: bool = False) -> "Run":
 
 
 class Run:
-    """One run folder. `summary` and `setup` are dictionaries, `deck` is the resolved deck's text; `partial` as for `load`."""
+    """The results of one run, read from its folder on demand; `partial` as for `load`."""
 
     plot: Any   # the pictures of this run: the room `plotting`, a layer above, puts it here
 
@@ -58,7 +58,7 @@ class Run:
 
     @cached_property
     def summary(self) -> dict:
-        """summary.json."""
+        """The contents of summary.json: status, errors of mass, momentum and energy, cycles, times."""
         path = self.folder / "summary.json"
         with legible(path):
             data = read_regular(path)
@@ -71,7 +71,7 @@ class Run:
 
     @cached_property
     def fronts(self) -> dict[str, np.ndarray]:
-        """Columns of fronts.csv, SI: `kind` as texts, the others as numbers; empty for a solver that tracks none."""
+        """Columns of fronts.csv (solver `fronts` only, else empty): `kind` as text, the others as numbers in SI units."""
         path = self.folder / "fronts.csv"
         if not path.is_file():
             if "fronts.csv" in self.summary.get("sha256", {}):
@@ -113,7 +113,7 @@ class Run:
 
     @property
     def deck(self) -> str:
-        """The resolved deck, every default written out."""
+        """The text of the deck with every default written out."""
         return self._setup[1]
 
     def _check(self, name: str) -> None:

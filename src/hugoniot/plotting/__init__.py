@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def _plot(run: Run) -> "RunPlots":
-    """Pictures of this run: `run.plot.xt("pressure")` and friends give matplotlib axes."""
+    """Plots of this run: `run.plot.xt("pressure")` and the other methods return matplotlib axes."""
     from hugoniot.plotting.accessor import RunPlots
 
     return RunPlots(run)

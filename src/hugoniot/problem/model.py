@@ -1,6 +1,6 @@
-"""The problem: a frozen, complete description of one simulation. SI everywhere, no files, no decks, no arrays of state.
+"""The problem: an immutable, complete description of one simulation in one dimension, in SI units.
 
-Made from a deck by `problem.deck`, or directly in Python. Saving it and running it again gives the same bits.
+`read_deck` makes one from a deck; it can also be built directly in Python.
 """
 
 from dataclasses import dataclass, field
@@ -57,7 +57,7 @@ class Pulse:
     amplitude   SI value (unused by a table)
     start       s
     duration    s: decay time of the exponential, length of half sine and square, rise time of the ramp (which then stays)
-    times, values   of a table: s and SI, linear between, held constant outside
+    times, values   of a table: s and SI values, linear between points and constant outside them
     """
 
     shape: str = "constant"
@@ -70,7 +70,10 @@ class Pulse:
 
 @dataclass(frozen=True)
 class Boundary:
-    """kind: "free", "fixed", "velocity", "pressure" (with a pulse), "transmitting", or "periodic" (both ends)."""
+    """What happens at an end of the body.
+
+    kind    "free", "fixed", "velocity" or "pressure" (both with a pulse), "transmitting", or "periodic" (then at both ends)
+    """
 
     kind: str = "free"
     pulse: Pulse | None = None
@@ -80,8 +83,8 @@ class Boundary:
 class Interface:
     """How two neighbouring regions hold together.
 
-    kind: "bonded" (opens only by fracture of a material), "separable" (opens under any tension),
-    "bond" (opens when the tensile stress exceeds `strength`, Pa).
+    kind    "bonded" (opens only by fracture of a material), "separable" (opens under any tension), or "bond" (opens when the tensile
+            stress exceeds `strength`, Pa)
     """
 
     left: str
@@ -96,8 +99,8 @@ class Gauge:
 
     at   a position at t = 0 in m, or "free surface left", "free surface right", "<region>/<region>" for an interface,
          or "<region>:left" and "<region>:right" for the end faces of a region
-    window, window_factor   of an interface: the region, at an end, that an interferometer looks through, and a of its refractive index
-                            n = a + b rho; the gauge then records `apparent_velocity` (`diagnostics.apparent`)
+    window, window_factor   at an interface: the name of the region (the last at this end) that an interferometer looks through, and the
+                            constant a of its refractive index n = a + b rho; the gauge then also records `apparent_velocity`
     """
 
     name: str
@@ -108,7 +111,7 @@ class Gauge:
 
 @dataclass(frozen=True)
 class Lighting:
-    """A detonator of programmed burns: position (m, at t = 0, inside the explosive or on its end) and time (s)."""
+    """A detonator of an explosive with programmed burn: its position at t = 0 (m, inside the explosive or at its end) and time (s)."""
 
     position: float
     time: float = 0.0
@@ -116,8 +119,10 @@ class Lighting:
 
 @dataclass(frozen=True)
 class SolverOptions:
-    """kind names the solver; `options` are the solver's own (lagrange1d: heat_flux, as `problem.lagrangian.OptionsTable`).
+    """The solver and its options, named as under [solver] in a deck.
 
+    kind        name of the solver
+    options     further options of this solver, such as heat_flux of lagrange1d
     viscosity   (law name, {parameter: value}) of the artificial viscosity; None: the default
     """
 
@@ -135,7 +140,11 @@ class SolverOptions:
 
 @dataclass(frozen=True)
 class OutputOptions:
-    """snapshots: interval in s or explicit times; fields: names of core.fields to keep (empty: the default set)."""
+    """What a run stores.
+
+    snapshots   interval in s, or a list of times
+    fields      names of the fields to store (empty: the default set)
+    """
 
     snapshots: float | tuple[float, ...] | None = None
     fields: tuple[str, ...] = ()
@@ -149,7 +158,7 @@ class OutputOptions:
 class BodyForce:
     """A force on every mass, as an acceleration (m/s2, towards larger positions) over time.
 
-    exponent, radius   of curved geometry: the field is acceleration (r/radius)^exponent; None in planar geometry, where it is uniform
+    exponent, radius   in curved geometry the acceleration is multiplied by (r/radius)^exponent; None in planar geometry
     """
 
     acceleration: Pulse
@@ -162,8 +171,8 @@ class HeatSource:
     """Energy supplied to a region from outside.
 
     kind                "power", W/kg where the profile is 1, or "intensity", W/m2 through the face of the region on `side`
-    absorption_length   m: the intensity falls to 1/e over it; None: spread evenly over the mass, or as the table says
-    depths, weights     energy per mass at depths below that face at t = 0 (m), linear between, nothing beyond
+    absorption_length   m: depth over which the intensity falls to 1/e; None: the energy is spread evenly, or as the table says
+    depths, weights     table of the energy per mass at depths below that face at t = 0 (m): linear between its points, zero beyond
     """
 
     region: str
@@ -177,7 +186,7 @@ class HeatSource:
 
 @dataclass(frozen=True)
 class Problem:
-    """A whole problem; `transport` is {material: {"viscosity", "conduction", "bulk_ratio", "bulk_viscosity"}} of `problem.terms`."""
+    """A whole problem. `transport` maps a material to its physical "viscosity", "conduction", "bulk_ratio" and "bulk_viscosity"."""
 
     title: str
     geometry: str
@@ -197,5 +206,5 @@ class Problem:
 
     @property
     def dimension(self) -> int:
-        """d of the volume element r^(d-1) dr: 1 planar, 2 cylindrical, 3 spherical."""
+        """1 planar, 2 cylindrical, 3 spherical: the volume element is r^(d-1) dr."""
         return GEOMETRIES[self.geometry]
