@@ -1,6 +1,6 @@
 r"""The free-surface velocity as an interferometer records it, and what follows from it: pull-back, spall strength, spall thickness.
 
-A velocity interferometer with delay $\tau$ sees the surface's displacement over the delay: the fringe count
+A velocity interferometer with delay $\tau$ measures the displacement of the surface during the delay: the fringe count
 $F = 2\,[x(t) - x(t-\tau)] / \lambda$ gives the velocity averaged over $[t-\tau, t]$, assigned to $t - \tau/2$
 (L. M. Barker, R. E. Hollenbach, J. Appl. Phys. 43 (1972) 4669).
 
@@ -19,8 +19,8 @@ elastic front also erodes a short tension pulse; G. I. Kanel, J. Appl. Mech. Tec
 
 $$\delta = \left(\frac{h}{c_b} - \frac{h}{c_l}\right)\frac{|\dot u_1|\,\dot u_2}{|\dot u_1| + \dot u_2}$$
 
-with the slopes of the record before and after its minimum. (All use sound speeds of the reference state and neglect the rate of
-fracture.)
+with the slopes $\dot u_1$ and $\dot u_2$ of the record before and after its minimum. (All use sound speeds of the reference state and
+neglect the rate of fracture.)
 """
 
 from typing import NamedTuple
@@ -67,7 +67,7 @@ def visar_velocity(time, velocity, delay: float):
 
 
 def fringes(time, velocity, delay: float, wavelength: float = 532e-9):
-    """Fringe count of a VISAR, 2 delay u / wavelength, at the times of the record (n,); delay s, wavelength m."""
+    """Fringe count of a VISAR, 2 delay u / wavelength, at the times of the record (n,); delay in s, wavelength in m."""
     return 2.0 * delay / wavelength * visar_velocity(time, velocity, delay)[1]
 
 
@@ -90,10 +90,10 @@ def turning_points(values, least: float) -> list[int]:
 
 
 def pull_back(time, velocity, least: float = 0.02) -> PullBack | None:
-    """The first pull-back: a drop from at least 0.8 of the record's highest velocity, then a rebound; None if there is none.
+    """The first pull-back: a drop from at least 0.8 of the highest velocity, followed by a rebound; None if there is none.
 
-    least   smallest swing that counts, as a fraction of the highest velocity (numerical ringing stays below); the drop is twice that
-            or more
+    least   smallest swing that counts, as a fraction of the highest velocity; it should exceed the numerical ringing. The drop must
+            be at least twice as large
     """
     velocity = np.asarray(velocity, dtype=float)
     top = float(np.max(velocity)) if len(velocity) else 0.0
@@ -114,7 +114,7 @@ def pull_back(time, velocity, least: float = 0.02) -> PullBack | None:
 
 
 def plateau(time, velocity) -> float:
-    """The level of a record's flat top, m/s (see `flat_top`); the highest velocity if the top is not flat.
+    """The level of the flat top of a velocity record, m/s (see `flat_top`); the highest velocity if the top is not flat.
 
     time (n,) s, velocity (n,) m/s, n >= 1.
     """
@@ -123,9 +123,9 @@ def plateau(time, velocity) -> float:
 
 
 def flat_top(time, values) -> float:
-    """The level of a record's flat top, free of a short overshoot at its front; NaN if the top is not flat (`flat_stretch`).
+    """The level of the flat top of a record, without a short overshoot at its front; NaN if the top is not flat.
 
-    time (n,) s, values (n,), n >= 1.
+    The top is flat if its quartiles over time differ by no more than 0.5 % of its height. time (n,) s, values (n,), n >= 1.
     """
     return flat_stretch(durations(time), values)[1]
 
@@ -187,7 +187,10 @@ def _over_time(values, weight, shares):
 
 
 def ringing_period(time, velocity, after: float, least: float = 0.01) -> float:
-    """Mean time between successive maxima after time `after`, s: the spalled layer rings at 2 thickness / c_l. NaN without two maxima."""
+    """Mean time (s) between successive maxima after the time `after`; NaN without two maxima.
+
+    A spalled layer rings with the period 2 thickness / c_l, where c_l is the longitudinal sound speed.
+    """
     time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
     tail = time >= after
     if tail.sum() < 3:
@@ -205,7 +208,7 @@ def _last_near(values, k: int, least: float) -> int:
 
 
 def spall_strength(drop: float, rho0: float, c_bulk: float, c_long: float | None = None) -> float:
-    """Spall strength (Pa) from the pull-back `drop` (m/s): acoustic with the bulk speed, Stepanov's when c_long (m/s) is given too."""
+    """Spall strength (Pa) from the pull-back `drop` (m/s): acoustic, or by Stepanov's formula if c_long (m/s) is given."""
     if c_long is None:
         return 0.5 * rho0 * c_bulk * drop
     return rho0 * c_long * drop / (1.0 + c_long / c_bulk)
