@@ -1,11 +1,12 @@
 """Writes docs/generated/laws: a page per law from its file and its registration, with a picture (law_pictures) for equations of state."""
 
 import inspect
+import re
 from pathlib import Path
 
 import numpy as np
-from generate_theory import explained
 from law_pictures import draw
+from law_words import FAMILIES, GROUPS, MATERIALS, OWN_SYMBOLS, QUANTITIES, SYMBOLS, WRITTEN
 
 import hugoniot.laws.burn
 import hugoniot.laws.eos
@@ -15,7 +16,7 @@ import hugoniot.laws.strength
 import hugoniot.laws.transport
 import hugoniot.laws.viscosity  # noqa: F401
 from hugoniot.laws.burn.contract import BURN
-from hugoniot.laws.eos.contract import EOS, density_limits, gives, has_temperature, particle_velocity_limit
+from hugoniot.laws.eos.contract import EOS, density_limits, particle_velocity_limit
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.strength.contract import STRENGTH
@@ -25,22 +26,9 @@ from hugoniot.materials.tables import accepted
 from hugoniot.units import format_si, parse
 
 TARGET = Path(__file__).parent / "generated" / "laws"
-HEADS = {
-    "eos": (EOS, "Equations of state", "`[material.NAME.eos] law = ...`. State is density and specific internal energy."),
-    "strength": (STRENGTH, "Strength", "`[material.NAME.strength] law = ...`: shear modulus and flow stress."),
-    "fracture": (FRACTURE, "Fracture", "`[material.NAME.fracture] law = ...`: failure in tension, and the tension a material supports."),
-    "viscosity": (VISCOSITY, "Artificial viscosity", "`[solver.viscosity] law = ...`: $q = \\rho|\\Delta u|w$ in compression."),
-    "burn": (BURN, "Burning", "How an explosive burns to products: by a schedule, or at a rate that depends on the state."),
-    "mixture": (MIXTURE, "Mixtures", "The state of reactants and products in one zone; see [the theory](../../theory/mixtures.md)."),
-    "transport": (TRANSPORT, "Physical viscosity", "Shear viscosity of a fluid, for the structure of a shock and for `lagrange1d`."),
-    "conduction": (CONDUCTION, "Heat conduction", "Heat conductivity of a material, for the structure of a shock and for `lagrange1d`."),
-}
-
-
-DECK = {"eos": "material.x.eos", "strength": "material.x.strength", "fracture": "material.x.fracture", "burn": "material.x.burn",
-        "viscosity": "solver.viscosity"}
-UNITS = {"rho": "kg/m^3", "e": "J/kg", "p": "Pa", "temperature": "K", "T": "K", "bulk_modulus": "Pa", "plastic_strain": "1", "du": "m/s",
-         "strain_rate": "1/s", "tension": "Pa", "v": "1", "damage": "1", "c": "m/s", "psi": "1", "burn_fraction": "1"}
+REGISTRIES = {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE, "viscosity": VISCOSITY, "burn": BURN, "mixture": MIXTURE,
+              "transport": TRANSPORT, "conduction": CONDUCTION}
+DOCUMENTS = re.compile(r"Starkenberg|Herrmann|Jordan|Wilkins|KB codes|\b[WKHSJ]-E\d+\b")     # that docs/theory/source_errors.md describes
 
 
 def cell(value) -> str:
@@ -51,44 +39,77 @@ def table(heads, rows) -> list[str]:
     return ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads), *("| " + " | ".join(row) + " |" for row in rows), ""]
 
 
+def marked(text: str) -> str:
+    """A cell in which code in backticks keeps its underscores."""
+    return "`".join(part if k % 2 else cell(part) for k, part in enumerate(text.split("`")))
+
+
 def parameters(law) -> list[str]:
-    """Parameters in a deck, with units, defaults and meaning."""
+    """Parameters in a deck: symbols of the equations where they are known, units, defaults and meanings."""
     names, needed = accepted(law)
+    symbols = {**SYMBOLS, **OWN_SYMBOLS.get(law.name, {})} if law.family == "eos" else {}
     rows = []
-    for name in names:
-        default = law.defaults.get(name)
-        shown = "required" if name in needed else "optional" if default is None or default != default else f"`{default}`"
-        rows.append((f"`{name}`", cell(law.units.get(name, "1")) or "law", shown, cell(law.meaning.get(name, ""))))
-    return table(["parameter", "unit", "default", "meaning"], rows) if rows else ["It has no parameters.", ""]
+    for name in sorted(names, key=lambda n: n not in needed):
+        default, unit = law.defaults.get(name), law.units.get(name, "1")
+        shown = "required" if name in needed else "optional" if default is None or default != default \
+            else f"`{default:.6g}`" if type(default) is float else f"`{default}`"
+        symbol = f"${symbols[name]}$" if name in symbols else ""
+        unit = {"1": "–", "text": "–", "law": "equation of state", "": "equation of state"}.get(unit, cell(unit))
+        rows.append([f"`{name}`", *([symbol] if symbols else []), unit, shown, marked(law.meaning.get(name, ""))])
+    if not rows:
+        return ["The law has no parameters.", ""]
+    lines = table(["parameter", *(["symbol"] if symbols else []), "unit", "default", "meaning"], rows)
+    if law.family == "eos" and "base" in names:
+        lines += ["`base` is a table, as in the example, or the name of a material of the library.", ""]
+    return lines
+
+
+def plain(value: float) -> str:
+    return re.sub(r"e\+?(-?)0*", r"e\1", f"{value:g}")
 
 
 def validity(law) -> list[str]:
-    """The box of states in which the example parameters are tested, and the limits an equation of state states in its errors."""
-    if not law.box:
-        return []
-    rows = [(f"`{name}`", cell(UNITS[name]), f"{low:g}", f"{high:g}") for name, (low, high) in law.box.items()]
-    lines = ["## Validity", "", "The contract tests check the example within this range:", ""]
-    lines += table(["variable", "unit", "from", "to"], rows)
-    return [*lines, *limits(law)] if law.family == "eos" else lines
+    """The limits of an equation of state, and the box of states in which any law is tested with its example."""
+    box = [(*QUANTITIES.get(f"{law.family}.{key}", QUANTITIES.get(key)), *ends) for key, ends in law.box.items()]
+    if law.family == "eos":
+        ranges = " and ".join(f"{name} from {plain(low * factor)} to {plain(high * factor)} {unit}" for name, unit, factor, low, high in box)
+        return ["## Limits", "", *limits(law), f"The law is tested with these parameters for {ranges}.", ""]
+    rows = [(f"{name} ({unit})" if unit else name, plain(low * factor), plain(high * factor)) for name, unit, factor, low, high in box]
+    lines = ["## Tested range", "", "The law is tested with the parameters of the example for these states:", ""]
+    return [*lines, *table(["quantity", "from", "to"], rows)] if rows else []
 
 
 def limits(law) -> list[str]:
-    """What the example refuses, and which of temperature and entropy it has."""
+    """Where the formulas of the example end, what happens beyond, and which of temperature and entropy the law gives."""
     par = law.example
     low, high = density_limits(par)
-    ends = "at any density" if high == np.inf and low == 0.0 else f"for densities between {low:g} and {high:.6g} kg/m³"
     fastest = particle_velocity_limit(par)
-    words = [f"The example is valid {ends}"]
+    least = f"above {low:.4g}" if low > 0.0 else ""
+    most = f"below {high:.5g}" if high < np.inf else ""
+    ends = f"for densities {' and '.join(filter(None, (least, most)))} kg/m³" if least or most else "at any density"
+    lines = [f"With the parameters of the example the formulas are defined {ends}"
+             + (", for the energies in the table," if "energy_limits" in law.functions else "")
+             + " where the sound speed is real ($c^2 > 0$)."]
     if np.isfinite(fastest):
-        words.append(f", for shocks from rest up to a particle velocity of {fastest:.5g} m/s")
-    if "energy_limits" in law.functions:
-        words.append(", and for the energies in its table")
-    words.append(", where the sound speed is real ($c^2 > 0$); a state outside is refused with an error that states the limit. ")
-    if has_temperature(par):
-        words.append("It has a temperature and an entropy." if gives(par, "entropy") else "It has a temperature, but no entropy.")
-    else:
-        words.append("It has neither temperature nor entropy.")
-    return ["".join(words), ""]
+        lines.append(f"Its Hugoniot ends at a particle velocity of {fastest:.4g} m/s.")
+    lines.append("These are limits of the formulas, not of the data behind the parameters. The command-line tools refuse a state outside "
+                 "them with an error that states the limit. A run does not start outside them, and it stops when the sound speed of a zone "
+                 "is no longer real.")
+    return [" ".join(lines), "", temperature(law), ""]
+
+
+def temperature(law) -> str:
+    """Which of temperature and entropy the law gives, and what they need."""
+    gives, names = law.functions, accepted(law)[0]
+    both = "Temperature and entropy are" if "entropy" in gives else "The temperature is"
+    without = "" if "entropy" in gives else " The law has no entropy."
+    if "temperature" not in gives:
+        return "The law gives neither temperature nor entropy."
+    if "base" in names:
+        return f"{both} available where the base law gives {'them' if 'entropy' in gives else 'one'}.{without}"
+    unknown = [n for n in ("specific_heat", "reference_temperature") if n in names and law.defaults.get(n, 0.0) != law.defaults.get(n, 0.0)]
+    needed = [f"`{n}`" for n in unknown]
+    return f"{both} available{' if ' + ' and '.join(needed) + (' are' if needed[1:] else ' is') + ' given' if needed else ''}.{without}"
 
 
 def quantity(value: float, unit: str) -> str:
@@ -97,56 +118,102 @@ def quantity(value: float, unit: str) -> str:
     return shown if "kg/m3" not in shown and parse(shown, unit) == value else f"{value:.10g} {unit}"
 
 
-def deck_lines(law, par, where: str) -> list[str] | None:
-    """The tables of a deck that give `par`; None where a deck's values are not kept in the parameters."""
+def settings(law, par) -> tuple[list[str], list[tuple[str, object]]] | None:
+    """(lines `key = value`, laws inside) of a deck that give `par`; None where a deck's values are not kept in the parameters."""
     names, needed = accepted(law)
     given = dict(zip(par._fields, par))
     if any(n not in given or isinstance(given[n], (np.ndarray, tuple)) and law.units.get(n) != "law" for n in needed):
         return None
-    lines, inner = [f"[{where}]", f'law = "{law.name}"'], []
+    lines, inner = [f'law = "{law.name}"'], []
     for name in names:
         value = given.get(name)
-        if value is None or EOS.knows(value):
-            inner += deck_lines(EOS.of(value), value, f"{where}.{name}") or [] if value is not None else []
+        if EOS.knows(value):
+            inner.append((name, value))
         elif isinstance(value, (int, float)) and value == value and \
                 (name in needed or value != law.defaults.get(name)) and (name, value) != ("gamma_slope", 0.0):
             unit = law.units.get(name, "1")
             bare = unit in ("1", "text") or "Pa^" in unit
             lines.append(f"{name} = {value:.10g}" if bare else f'{name} = "{quantity(value, unit)}"')
-    return lines + inner
+    return lines, inner
+
+
+def deck_lines(law, par, where: str) -> list[str] | None:
+    """The tables of a deck that give `par`; None where a deck's values are not kept in the parameters."""
+    if (found := settings(law, par)) is None:
+        return None
+    lines = [f"[{where}]", *found[0]]
+    for name, value in found[1]:
+        lines += ["", *(deck_lines(EOS.of(value), value, f"{where}.{name}") or [])]
+    return lines
 
 
 def example(law) -> list[str]:
-    """The registered example: as a deck writes it, or its numbers."""
-    lines = deck_lines(law, law.example, DECK[law.family]) if law.family in DECK else None
-    if lines:
-        return ["## Example", "", "```toml", *lines, "```", ""]
-    fields = [(n, v) for n, v in zip(law.parameters._fields, law.example) if isinstance(v, (int, float))]
-    if not fields:
-        return []
-    shown = [f"`{n}` = {v:.6g}{'' if law.units[n] == '1' else ' ' + law.units[n]}" for n, v in fields if v == v]
-    return ["## Example", "", ", ".join(shown) + ".", ""]
+    """The registered example, as a deck writes it."""
+    material, family = MATERIALS.get(law.name, MATERIALS.get(law.family, "air")), law.family
+    if family == "mixture":
+        lines = [f"[material.{MATERIALS['burn']}]", f'mixture = "{law.name}"',
+                 "# products: the table `eos`; reactants: the table `unreacted`; detonation_energy: a key here"]
+    elif family in ("transport", "conduction"):
+        found = settings(law, law.example)
+        key = "viscosity" if family == "transport" else family
+        lines = [f"[transport.{material}]", f"{key} = {{{', '.join(found[0])}}}"] if found else None
+    else:
+        where = "solver.viscosity" if family == "viscosity" else f"material.{material}.{family}"
+        lines = WRITTEN[law.name] if law.name in WRITTEN else deck_lines(law, law.example, where)
+    return ["## Example", "", "```toml", *lines, "```", ""] if lines else []
+
+
+def text_and_source(law) -> tuple[str, str]:
+    """(the description below the first line of the law's file, its source) from the docstring."""
+    text = inspect.cleandoc(law.module.__doc__ or "")
+    first, _, rest = text.partition("\n")
+    rest, _, source = rest.partition("Source: ")
+    source, _, after = source.partition("\n\n")
+    body = f"{rest.strip()}\n\n{after.strip()}".strip()
+    return (body if law.summary == first else f"{first}\n\n{body}"), source.strip()
+
+
+def references(law, source: str) -> list[str]:
+    """The source as the law's file states it, and the registered references it does not name."""
+    others = [r for r in law.references if re.split(r"[ ,]", r)[0] not in source]
+    lines = ["## References", "", *([f"{source}", ""] if source else []), *(f"* {cell(r)}" for r in others), ""]
+    if DOCUMENTS.search("\n".join([source, *others, inspect.cleandoc(law.module.__doc__ or "")])):
+        lines += ["The documents by Wilkins, Herrmann, Starkenberg and Jordan, the manual of the KB codes, and the errors found in them "
+                  "(labels such as J-E8) are listed under [source errors](../../../theory/source_errors.md).", ""]
+    return lines
 
 
 def page(law, picture: str | None) -> str:
     """The page of one law."""
-    text = inspect.cleandoc(law.module.__doc__ or "")
-    first, _, rest = text.partition("\n")
-    lines = [f"# {law.name}", "", f"**{law.summary}**", "", *([first, ""] if law.summary != first else []), rest.strip(), ""]
+    text, source = text_and_source(law)
+    lines = [f"# {law.name}", "", f"**{law.summary}**", "", text, ""]
     if picture:
-        lines += [f"![{law.name}]({picture})", ""]
-    lines += ["## Parameters", "", *parameters(law), *example(law), *validity(law)]
-    lines += ["## References", "", *(f"* {cell(r)}" for r in law.references), ""]
-    return "\n".join(explained(lines, "../../../theory/source_errors.md"))
+        lines += [f"![{law.name}: the example]({picture})", ""]
+    lines += ["## Parameters", "", *parameters(law), *example(law), *validity(law), *references(law, source)]
+    return "\n".join(lines)
+
+
+def listed(family: str, laws) -> list[str]:
+    """The table of the laws of a family, with a heading for each group of the equations of state."""
+    def rows(some):
+        return table(["law", "description"], [(f"[{law.name}]({family}/{law.name}.md)", cell(law.summary)) for law in some])
+
+    if family != "eos":
+        return rows(laws)
+    by_name, lines = {law.name: law for law in laws}, []
+    for title, names in GROUPS.items():
+        some = [by_name.pop(name) for name in names] if names else list(by_name.values())
+        lines += [f"## {title}", "", *rows(some)] if some else []
+    return lines
 
 
 def main() -> None:
-    for family, (registry, title, words) in HEADS.items():
+    for family, registry in REGISTRIES.items():
+        title, words = FAMILIES[family]
         folder = TARGET / family
         folder.mkdir(parents=True, exist_ok=True)
         laws = sorted(registry, key=lambda law: law.name)
-        rows = [(f"[{law.name}]({family}/{law.name}.md)", cell(law.summary)) for law in laws]
-        lines = [f"# {title}", "", words, "", *table(["law", "what it is"], rows)]
+        lines = [f"# {title}", "", words, "", *listed(family, laws)]
         lines += ["```{toctree}", ":hidden:", "", *(f"{family}/{law.name}" for law in laws), "```", ""]
         (TARGET / f"{family}.md").write_text("\n".join(lines), encoding="utf-8")
         for law in laws:

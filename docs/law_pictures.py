@@ -130,12 +130,12 @@ def draw(law, target: Path) -> str:
             fast = found[0][-1] >= 1000.0
             ax.plot(found[0] * (1e-3 if fast else 1.0), found[1] * factor, color=COLOURS[0])
             ax.set(xlabel=f"particle velocity ({'km/s' if fast else 'm/s'})", ylabel=f"pressure ({unit})", xlim=(0, None), ylim=(0, None))
-            words = "Hugoniot of the example from rest"
+            words = "Hugoniot of the example"
             if end_inside(law):
                 inner = curve(law.example.base, up_to=0.999 * end_inside(law))
                 up = inner.particle_velocity * (1e-3 if fast else 1.0)
                 ax.plot(up, inner.pressure * factor, color=COLOURS[0], ls=(0, (3, 2)), lw=0.8)
-                words = "Hugoniot from rest; dashed: the base law, to its limit"
+                words = "Hugoniot of the example; dashed: the base law, to its limit"
             ax.set_title(words, loc="left", color=QUIET, fontsize=8.5)
         ax.get_figure().savefig(target / f"{law.name}.png")
     return f"{law.name}.png"
