@@ -169,7 +169,7 @@ def test_crushed_pores_stay_crushed_in_a_release_and_the_law_of_the_solid_is_sho
     assert found["pressure"][-1] == pytest.approx(0.0, abs=1.0) and found["density"][-1] == pytest.approx(2700.0 / crushed, rel=2e-3)
     shown = answer("show", path)
     assert shown["parameters"]["base"]["law"] == "mie_gruneisen" and shown["parameters"]["base"]["c0"] == 5350.0
-    assert "law of the solid" in eos("show", path).stdout
+    assert "equation of state of the solid" in eos("show", path).stdout
 
 
 def test_an_answer_says_which_state_it_starts_from_and_of_what(tmp_path):

@@ -1,19 +1,20 @@
-r"""A law whose Hugoniot starts from a stated upstream state: ambient pressure and energy, or the state behind a first shock.
+r"""Equation of state of a material whose Hugoniot was measured from a loaded state: under ambient pressure, or behind a first shock.
 
-$$p(\rho, e) = p_a + p_{\text{base}}(\rho, e'), \qquad e' = e - e_a - p_a\,(v_a - v), \qquad v_a = 1/\rho_0$$
+Use it where shock data start from an upstream state of density $\rho_0$, pressure $p_a$ and energy $e_a$. The base law has the measured
+Hugoniot, with the upstream density as its reference density:
 
-where the base law is at rest at $\rho_0$, $e' = 0$, p = 0. Shocks from the upstream state have the shock and particle velocities of the
-base: the jump $e - e_a = \tfrac12(p + p_a)(v_a - v)$ is $e' = \tfrac12(p - p_a)(v_a - v)$. Isentropes, temperature and sound speed are
-those of the base at e'. For a base with a linear Hugoniot,
+$$p(\rho, e) = p_a + p_{\text{base}}(\rho, e'), \qquad e' = e - e_a - p_a\,(v_a - v), \qquad v = 1/\rho, \; v_a = 1/\rho_0$$
 
-$$p_H = p_a + \frac{c_a^2\,(v_a - v)}{[v_a - s_a(v_a - v)]^2}, \qquad
-  \Delta p_H(v; p_u, v_u) = \frac{f_H(v; v_a)\,p_H - [1 - f_H(v; v_a)]\,p_a + [1 - f_H(v; v_u)]\,p_u + \rho_\Gamma(e_u - e_a)}{f_H(v; v_u)}
-  - p_u, \qquad f_H(v; v_a) = 1 - \tfrac12\rho_\Gamma(v_a - v) .$$
+with $e'$ counted from the reference energy of the base law. The jump condition $e - e_a = \tfrac12(p + p_a)(v_a - v)$ becomes
+$e' = \tfrac12(p - p_a)(v_a - v)$, so shocks from the upstream state have the shock and particle velocities of the base law. For
+$U_s = c_a + s_au_p$ the Hugoniot is
 
-For material that is shocked again the source would use the Hugoniot from the most recent upstream state as reference, but notes that such
-data are seldom measured. Where they exist, give this law their upstream state (rho0, pressure, energy) and their Hugoniot as the base.
+$$p_H = p_a + \frac{c_a^2\,(v_a - v)}{[v_a - s_a(v_a - v)]^2}.$$
 
-Source: Starkenberg A-11.1, A-11.2 and A-11.5.
+Isentropes, temperature and sound speed are those of the base law at $e'$. Away from this Hugoniot the pressure follows from the Grüneisen
+parameter of the base law, which such data do not test.
+
+Source: Starkenberg, ARL-TR-2161, A-11.1, A-11.2 and A-11.5.
 """
 
 from typing import Any, NamedTuple
@@ -87,8 +88,8 @@ EOS.add(
                particle_velocity_limit],
     example=Ambient(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 5e9, 2e5),
     units={"base": "law", "pressure": "Pa", "energy": "J/kg"},
-    meaning={"base": "law with the Us-up line; its rest density is the upstream density", "pressure": "p_a, of the upstream state",
-             "energy": "e_a, of the upstream state"},
+    meaning={"base": "equation of state with the measured Hugoniot; its reference density is the upstream density",
+             "pressure": "pressure of the upstream state", "energy": "energy of the upstream state"},
     defaults={"energy": 0.0},
     box={"rho": (2400.0, 6500.0), "e": (2.5e6, 2e7)},
     references=("Starkenberg, ARL-TR-2161, A-11",),

@@ -1,13 +1,24 @@
-r"""Mie-Grüneisen solid on a third-order Birch-Murnaghan curve.
+r"""Third-order Birch-Murnaghan equation of state, for solids known from static compression or ultrasonic data.
 
-$$p = p_c(\rho) + \rho\Gamma\,(e - e_c(\rho)), \qquad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \qquad \mu = \rho/\rho_0 - 1$$
+It is a Mie-Grüneisen law whose reference isentrope is a Birch-Murnaghan curve with pressure $p_c$ and energy $e_c$:
+
+$$p = p_c(\rho) + \rho\Gamma\,[e - e_c(\rho)], \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_1\mu), \qquad \mu = \rho/\rho_0 - 1$$
 $$p_c = 3K_0f(1 + 2f)^{5/2}\left[1 + \tfrac32(K_0' - 4)f\right], \quad e_c = \frac{9K_0}{2\rho_0}f^2\left[1 + (K_0' - 4)f\right],
   \quad f = \tfrac12\left[(\rho/\rho_0)^{2/3} - 1\right]$$
 
-The curve is taken as the isentrope through the rest state (e = 0, T0), so that $T = T_0\varphi + (e - e_c)/c_v$ with constant $c_v$ and
-$\ln\varphi = (\Gamma_0 - b)\eta - b\ln(1 - \eta)$, $\eta = 1 - \rho_0/\rho$. b = 0: rho Gamma constant; b = gamma0: Gamma constant.
+$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
+`gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused.
 
-Source: Birch 1947, Phys. Rev. 71, 809.
+The curve is the isentrope through the reference state ($e = 0$, temperature $T_0$), so $K_0$ is the isentropic bulk modulus
+(static compression gives the isothermal one). With a constant specific heat $c_v$,
+
+$$T = T_0\varphi + \frac{e - e_c}{c_v}, \quad
+  \ln\varphi = (\Gamma_0 - \Gamma_1)\,\eta - \Gamma_1\ln(1 - \eta), \quad \eta = 1 - \rho_0/\rho.$$
+
+The curve has a greatest tension (iron: 23 GPa at $0.68\,\rho_0$), beyond which the sound speed on it is no longer real. With
+$K_0' < 4$ its pressure also has a maximum in compression.
+
+Source: Birch, Phys. Rev. 71, 809 (1947).
 """
 
 import math
@@ -49,9 +60,8 @@ EOS.add(
     example=BirchMurnaghan(7874.0, 166e9, 5.3, 1.7, 0.0, 450.0),
     build=with_gamma_form(BirchMurnaghan),
     units={"rho0": "kg/m^3", "bulk_modulus": "Pa", "bulk_modulus_slope": "1", **reference_curves.GAMMA_UNITS},
-    meaning={"rho0": "density at rest",
-             "bulk_modulus": "bulk modulus at rest", "bulk_modulus_slope": "its pressure derivative at rest",
-             **reference_curves.GAMMA_MEANING},
+    meaning={"rho0": "reference density", "bulk_modulus": "bulk modulus in the reference state",
+             "bulk_modulus_slope": "pressure derivative of the bulk modulus in the reference state", **reference_curves.GAMMA_MEANING},
     defaults=reference_curves.GAMMA_DEFAULTS,
     box={"rho": (7200.0, 16000.0), "e": (0.0, 1e7)},
     references=("Birch, Phys. Rev. 71, 809 (1947)",),

@@ -10,7 +10,7 @@ and, where its theory has them in closed form,
     temperature(rho, e, par)              T, K
     entropy(rho, e, par)                  s, J/(kg K), up to a constant
     energy(rho, p, par)                   e, J/kg (inverse of pressure at constant rho)
-    reference_state(par)                  (rho, e) of the material at rest: zero (or ambient) pressure
+    reference_state(par)                  (rho, e) of the reference state: zero (or ambient) pressure
     density_limits(par)                   (lowest, highest) density at which the law is defined
     particle_velocity_limit(par)          largest particle velocity for which the law's Hugoniot fit is valid, m/s
     energy_limits(rho, par)               (lowest, highest) energy at a density at which the law is defined (tables)
@@ -44,7 +44,7 @@ from hugoniot.core.ops import NO_LIMIT, vsqrt
 from hugoniot.core.registry import Registry
 from hugoniot.errors import OutOfRange
 
-LEAST_STIFFNESS = 20.0     # of what is no gas, rho c^2 / p at rest
+LEAST_STIFFNESS = 20.0     # of what is no gas, rho c^2 / p in the reference state
 
 
 def both_apart(rho, e, par):
@@ -129,7 +129,7 @@ def specific_heat(rho, e, par):
 
 
 def reference_state(par):
-    """(rho, e) of the material at rest."""
+    """(rho, e) of the reference state."""
     return EOS.of(par).functions["reference_state"](par)
 
 
@@ -253,10 +253,10 @@ def check_state(rho, e, par, c2_floor: float = 0.0) -> None:
 
 
 def _stability_edge(rho, e, par, c2_floor) -> str:
-    """Where the law becomes stable at this energy, between an unstable density and the one at rest, as the end of a message."""
+    """Where the law becomes stable at this energy, between an unstable density and the reference density, as the end of a message."""
     unstable, stable = rho, reference_state(par)[0]
     if not sound_speed_squared(stable, e, par) > c2_floor:
-        return f"; so is its rest density {stable:.6g} kg/m3 at this energy"
+        return f"; so is its reference density {stable:.6g} kg/m3 at this energy"
     for _ in range(60):
         middle = 0.5 * (unstable + stable)
         if sound_speed_squared(middle, e, par) > c2_floor:
@@ -278,7 +278,7 @@ def flagged(par, flag: str) -> bool:
 
 
 def is_condensed(par) -> bool:
-    """Whether a material is condensed: rho c^2 far above its pressure at rest, which in a gas is rho c^2 / gamma; false with pores."""
+    """Whether a material is condensed: rho c^2 far above its reference pressure, which in a gas is rho c^2 / gamma; false with pores."""
     if flagged(par, "remembers") or not gives(par, "reference_state"):
         return False
     rho, e = reference_state(par)

@@ -1,13 +1,21 @@
 r"""Davis equation of state for detonation products.
 
-On the reference isentrope, with $w = v/v_c$ and $D(w) = \tfrac12(w^n + w^{-n})$,
+It is referred to an isentrope with energy $e_s$ and pressure $p_s$, whose adiabatic exponent falls from a high value in dense products to
+$k$ in a dilute gas. The transition is centred at the volume $v_c$. With $v = 1/\rho$, $w = v/v_c$ and $D(w) = \tfrac12(w^n + w^{-n})$,
 
 $$e_s = e_c\frac{D^{a/n}}{w^{k-1+a}}, \quad p_s = \frac{e_s}{v}(k - 1 + F), \quad F = \frac{2a\,w^{-n}}{w^n + w^{-n}}, \quad
   e_c = \frac{p_cv_c}{k-1+a},$$
-$$p = p_s + \frac{\Gamma}{v}(e - e_s), \quad \Gamma = k - 1 + (1-b)F, \quad T = T_s + \frac{e - e_s}{c_v}, \quad
-  T_s = T_c\frac{D^{(a/n)(1-b)}}{w^{k-1+a(1-b)}},\; T_c = \frac{2^{-ab/n}}{k-1+a}\frac{p_cv_c}{c_v}.$$
+$$p = p_s + \frac{\Gamma}{v}(e - e_s), \qquad \Gamma = k - 1 + (1-b)F.$$
 
-Source: Wescott, Stewart and Davis, J. Appl. Phys. 98, 053514 (2005), eq. 1 to 9; Davis 1993, as quoted by Starkenberg A-1.
+With a constant specific heat $c_v$ the temperature is
+
+$$T = T_s + \frac{e - e_s}{c_v}, \qquad T_s = T_c\frac{D^{(a/n)(1-b)}}{w^{k-1+a(1-b)}}, \qquad
+  T_c = \frac{2^{-ab/n}}{k-1+a}\,\frac{p_cv_c}{c_v}.$$
+
+The state at $\rho_0$ and $e_0$ is that of a constant-volume explosion. Energies of products and explosive must have the same origin; for
+an explosive with the law `davis_reactants` use the same `e0`.
+
+Source: Wescott, Stewart and Davis, J. Appl. Phys. 98, 053514 (2005), eq. 1 to 9; Davis (1993), as quoted by Starkenberg, A-1.
 """
 
 import math
@@ -104,10 +112,11 @@ EOS.add(
                reference_isentrope],
     example=DavisProducts(0.798311, 0.58, 1.35, 2.66182, 0.75419e-3, 3.2e9, 1890.0, 4.115e6, 1072.0),
     units={"a": "1", "b": "1", "k": "1", "n": "1", "vc": "m^3/kg", "pc": "Pa", "rho0": "kg/m^3", "e0": "J/kg", "specific_heat": "J/kg/K"},
-    meaning={"a": "strength of the transition", "b": "part of the transition omitted from Gamma", "k": "adiabatic exponent at large volume",
+    meaning={"a": "height of the transition of the adiabatic exponent",
+             "b": "fraction of the transition that the Grüneisen parameter does not follow", "k": "adiabatic exponent at large volumes",
              "n": "sharpness of the transition", "vc": "specific volume of the transition", "pc": "pressure scale of the transition",
              "rho0": "density of the unreacted explosive", "e0": "energy of the unreacted explosive",
-             "specific_heat": "specific heat at constant volume (for temperatures)"},
+             "specific_heat": "specific heat at constant volume, needed for temperatures"},
     defaults={"e0": 0.0, "specific_heat": math.nan},
     box={"rho": (20.0, 3500.0), "e": (3e6, 2e7)},
     references=("Wescott, Stewart and Davis, J. Appl. Phys. 98, 053514 (2005)", "Davis 1993, as cited in Starkenberg, ARL-TR-2161, A-1"),

@@ -1,18 +1,19 @@
 r"""Davis equation of state for unreacted explosives.
 
-On the principal isentrope, with $y = 1 - \rho_0/\rho$ and $\hat p = \rho_0A^2/(4B)$,
+It is referred to the principal isentrope, with pressure $p_s$ and energy $e_s$. With $y = 1 - \rho_0/\rho$ and $\hat p = \rho_0A^2/(4B)$,
 
 $$p_s = \hat p\left[e^{4By} - 1\right]\ (y < 0), \qquad
-  p_s = \hat p\left[\sum_{j=1}^{3}\frac{(4By)^j}{j!} + C\frac{(4By)^4}{4!} + \frac{y^2}{(1-y)^4}\right]\ (y \ge 0)$$
+  p_s = \hat p\left[\sum_{j=1}^{3}\frac{(4By)^j}{j!} + C\frac{(4By)^4}{4!} + \frac{y^2}{(1-y)^4}\right]\ (y \ge 0),$$
+$$e_s = e_0 + \frac{1}{\rho_0}\int_0^y p_s\,dy, \qquad p = p_s + \rho\Gamma(e - e_s),$$
 
-$e_s = e_0 + \int_0^y p_s\,dy/\rho_0$; $\Gamma = \Gamma_0$ for y < 0 and $\Gamma_0 + Zy$ above; $p = p_s + \rho\Gamma(e - e_s)$.
-The specific heat
-$c_v = c_{v0}(T/T_s)^{\alpha}$ gives
+with $\Gamma = \Gamma_0$ in tension and $\Gamma = \Gamma_0 + Zy$ in compression. A specific heat $c_v = c_{v0}(T/T_s)^{\alpha}$ gives
 
 $$T = T_s\left[1 + \frac{(1+\alpha)(e - e_s)}{c_{v0}T_s}\right]^{1/(1+\alpha)}, \quad T_s = T_0(1-y)^{-\Gamma_0-Z}e^{-Zy}
-  \ (Z = 0 \text{ for } y < 0).$$
+  \quad (Z = 0 \text{ for } y < 0).$$
 
-Source: Wescott, Stewart and Davis, J. Appl. Phys. 98, 053514 (2005), eq. 10 to 20; Davis 2000, Combust. Flame 120, 399.
+With $Z < 0$ the law ends at the density at which $\Gamma$ vanishes.
+
+Source: Wescott, Stewart and Davis, J. Appl. Phys. 98, 053514 (2005), eq. 10 to 20; Davis, Combust. Flame 120, 399 (2000).
 """
 
 import math
@@ -136,11 +137,12 @@ EOS.add(
     example=DavisReactants(1890.0, 1800.0, 4.6, 0.34, 0.56, 0.0, 0.4265, 4.115e6, 1074.0, 297.0),
     units={"rho0": "kg/m^3", "a": "m/s", "b": "1", "c": "1", "gamma0": "1", "z": "1", "alpha": "1", "e0": "J/kg",
            "specific_heat": "J/kg/K", "reference_temperature": "K"},
-    meaning={"rho0": "density at rest", "a": "sound speed at rest", "b": "isentrope stiffness B", "c": "fourth-order correction C",
-             "gamma0": "Grüneisen parameter at rest", "z": "slope of Gamma with y = 1 - rho0/rho in compression",
-             "alpha": "exponent of the specific heat", "e0": "energy at rest (with products on the same scale: the heat of detonation)",
+    meaning={"rho0": "reference density", "a": "sound speed in the reference state", "b": "stiffness of the isentrope",
+             "c": "factor of the fourth-order term", "gamma0": "Grüneisen parameter at the reference density",
+             "z": "slope of the Grüneisen parameter with 1 - rho0/rho in compression", "alpha": "exponent of the specific heat",
+             "e0": "energy of the reference state; the heat of detonation if energies are counted from the products",
              "specific_heat": "specific heat at constant volume on the principal isentrope",
-             "reference_temperature": "temperature at rest"},
+             "reference_temperature": "temperature of the reference state"},
     defaults={"z": 0.0, "alpha": 0.0, "e0": 0.0, "specific_heat": math.nan, "reference_temperature": 297.0},
     box={"rho": (1700.0, 3800.0), "e": (4.0e6, 1.5e7)},
     references=("Wescott, Stewart and Davis, J. Appl. Phys. 98, 053514 (2005)", "Davis, Combust. Flame 120, 399 (2000)"),

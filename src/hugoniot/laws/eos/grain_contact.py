@@ -1,25 +1,24 @@
-r"""Grain contact: a powder's law, stiffened by its grains above the grain density.
+r"""Grain contact: a law fitted to a powder, stiffened above the density of its grains, where the fit is too soft.
+
+A Hugoniot fitted to a powder is not valid at densities where nothing was measured: with a slope $s < 1$ its pressure stays finite even at
+zero volume (J-E16), although the grains would long since fill the space. This law adds the resistance of the grains above their density
+$\rho_s$, along a Murnaghan curve with their bulk modulus $K$ and its pressure derivative $n$:
 
 $$p(\rho, e) = p_{\text{base}}(\rho,\, e - e_s) + p_s(\rho), \qquad
   p_s = \frac{K}{n}\left(X^n - 1\right), \quad
   e_s = \frac{K}{n\rho_s}\left[\frac{X^{n-1} - 1}{n - 1} + \frac1X - 1\right], \quad X = \rho/\rho_s > 1$$
 
-and $p_s = e_s = 0$ at lower densities. The base is a law fitted to the powder itself, rho_s is the density of its grains at rest, and K and
-n are their bulk modulus and its pressure derivative; for a linear Hugoniot of the solid $K = \rho_sc_0^2$ and $n = 4s - 1$. A fit is not
-valid at densities where nothing was measured: with a slope below 1 its pressure stays finite even at zero volume (J-E16), although the
-grains would long since fill the whole space. In this law they resist, along Murnaghan's curve.
+and $p_s = e_s = 0$ at lower densities, where the law is identical to the base law. For a solid with $U_s = c_0 + su_p$ use
+$K = \rho_sc_0^2$ and $n = 4s - 1$. Temperature and entropy are those of the base law at the energy $e - e_s$, and
+$c^2 = c_{\text{base}}^2 + (K/\rho_s)X^{n-1}$ for $X > 1$. At $\rho_s$ pressure and energy are continuous and the sound speed jumps up. A
+base law whose own compression limit lies below $\rho_s$ never reaches it.
 
-Since $e_s = -\int p_s\,dv$, the added potential depends on the volume alone. Temperature and entropy are those of the base law at
-$e - e_s$, and $c^2 = c_{\text{base}}^2 + (K/\rho_s)X^{n-1}$ for X > 1, so that a stable law stays stable. Below rho_s the law is identical
-to the base law. At rho_s pressure and energy are continuous and the sound speed jumps up, as where pores have closed; a Hugoniot that
-stiffens gives one shock, not two. A base law whose own compression limit lies below rho_s never reaches rho_s.
+The thermal pressure is that of the base law. Its Grüneisen parameter is that of the powder, far below that of the solid at the same
+density, so hot grains occupy less space than they should. Where that matters, use a compaction law (`snow_plough`, `p_alpha`,
+`p_lambda`), whose pores also stay closed on release. With `grain_contact` a released powder expands again.
 
-The thermal pressure is that of the base law. Its Grüneisen parameter is that of the powder, far below the solid's at that density, so hot
-grains occupy less space than they should. Where that matters, use a compaction law (snow_plough, p_alpha, p_lambda), whose pores also
-stay closed on release; here, as with any law without memory, released powder expands again.
-
-Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.1 and XI.2 (cold pressure and energy, which depend on the volume alone);
-Murnaghan 1944.
+Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.1 and XI.2 (a cold pressure and energy that depend on the volume alone);
+Murnaghan, Proc. Natl. Acad. Sci. 30, 244 (1944). Powder of the example: Jordan (2011), table 7.2.1, with J-E10.
 """
 
 import math
@@ -121,10 +120,10 @@ def piece_coordinate(rho, e, piece):
 
 
 def build(base, grain_density, grain_modulus, grain_modulus_slope):
-    """Parameters from a deck; OutOfRange unless the grains are denser than the powder at rest, and stiffen."""
+    """Parameters from a deck; OutOfRange unless the grains are denser than the powder, and stiffen."""
     powder = base_reference_state(base)[0]
     if not powder < grain_density < NO_LIMIT:
-        raise OutOfRange(f"grain_contact: grain_density must exceed the {powder:.6g} kg/m3 of the powder at rest, got {grain_density}")
+        raise OutOfRange(f"grain_contact: grain_density must exceed the {powder:.6g} kg/m3 of the powder, got {grain_density}")
     if not 0.0 < grain_modulus < NO_LIMIT:
         raise OutOfRange(f"grain_contact: grain_modulus, the bulk modulus of the grains, must be positive, got {grain_modulus}")
     if not 1.0 < grain_modulus_slope < NO_LIMIT:
@@ -140,9 +139,9 @@ EOS.add(
     example=build(MieGruneisenCold(100.0, 121.0, 0.9736, 0.3, -86.2 * 298.15, 86.2), 2200.0, 23.4e9, 4.34),
     build=build,
     units={"base": "law", "grain_density": "kg/m^3", "grain_modulus": "Pa", "grain_modulus_slope": "1", "contact_density": "kg/m^3"},
-    meaning={"base": "law fitted to the powder", "grain_density": "density of the grains at rest",
+    meaning={"base": "equation of state fitted to the powder", "grain_density": "reference density of the grains",
              "grain_modulus": "bulk modulus of the grains",
-             "grain_modulus_slope": "its pressure derivative (4 s - 1 of a linear Hugoniot of the solid)",
+             "grain_modulus_slope": "pressure derivative of the bulk modulus of the grains; 4 s - 1 for a linear Hugoniot of the solid",
              "contact_density": "density from which the grains resist (filled by build)"},
     box={"rho": (95.0, 3500.0), "e": (0.0, 5e6)},
     above={"grain_modulus": 0.0},

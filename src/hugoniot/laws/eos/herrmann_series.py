@@ -1,14 +1,21 @@
-r"""Power series in the compression eta = 1 - rho0/rho, linear in energy (the form of Herrmann's codes).
+r"""Power series in the compression eta = 1 - rho0/rho, linear in energy, as in Herrmann's codes.
 
-$$p = k_0\eta\,(1 + k_1\eta + k_2\eta^2 + k_3\eta^3) + e\,h_0\,(1 + h_1\eta + h_2\eta^2 + h_3\eta^3)$$
+Use it for published coefficients of this form:
 
-$h_0(1 + \dots) = \rho\Gamma$, so h0 = rho0 gamma0 (kg/m3) with the energy per mass. `converters` computes the eight coefficients from c and
-s, or from Murnaghan, finite-strain or Rice-McQueen-Walsh constants. The series is used unchanged in tension. With h0 = 0 the pressure
-depends on the density alone (A.11), and density and pressure do not determine the energy. Temperature (constant $c_v$): $T = T_0\varphi +
-(e - e_S)/c_v$, $\ln\varphi = \frac{h_0}{\rho_0}(\eta + \tfrac12h_1\eta^2 + \dots)$, $e_S = \varphi\int_0^\eta f_1/(\rho_0\varphi)\,dt$,
-$f_1$ the part of p without e, by 16 Gauss points (the integrand is entire: exact to rounding).
+$$p = k_0\eta\,(1 + k_1\eta + k_2\eta^2 + k_3\eta^3) + e\,h_0\,(1 + h_1\eta + h_2\eta^2 + h_3\eta^3), \qquad \eta = 1 - \rho_0/\rho$$
 
-Source: Herrmann eq. 3.6, A.12, C.1, C.16.
+The factor of $e$ is $\rho\Gamma$, so $h_0 = \rho_0\Gamma_0$. `hugoniot eos convert` computes the coefficients from $c_0$ and $s$, or from
+Murnaghan, finite-strain or Rice-McQueen-Walsh constants. With $h_0 = 0$ the pressure depends on the density alone. The series is used
+unchanged in tension.
+
+With a constant specific heat $c_v$ the temperature is
+
+$$T = T_0\varphi + \frac{e - e_S}{c_v}, \qquad \ln\varphi = \frac{h_0}{\rho_0}\left(\eta + \tfrac12h_1\eta^2 + \tfrac13h_2\eta^3
+  + \tfrac14h_3\eta^4\right), \qquad e_S = \frac{\varphi}{\rho_0}\int_0^\eta \frac{p(t, 0)}{\varphi(t)}\,dt,$$
+
+where $e_S$ is the isentrope through the reference state, evaluated with 16 Gauss points.
+
+Source: Herrmann, WL-TR-64-107, eq. 3.6, A.11, A.12, C.1, C.16.
 """
 
 import math
@@ -103,11 +110,13 @@ EOS.add(
     example=HerrmannSeries(2780.0, 76.4e9, 1.692, 1.752, 0.675, 5473.0, 1.0, 1.0, 1.0, 890.0),
     units={"rho0": "kg/m^3", "k0": "Pa", "k1": "1", "k2": "1", "k3": "1", "h0": "kg/m^3", "h1": "1", "h2": "1", "h3": "1",
            "specific_heat": "J/kg/K", "reference_temperature": "K"},
-    meaning={"rho0": "density at rest", "k0": "bulk modulus at rest", "k1": "second coefficient over k0", "k2": "third coefficient over k0",
-             "k3": "fourth coefficient over k0", "h0": "rho0 gamma0; 0: the pressure follows the density alone",
-             "h1": "first coefficient of rho Gamma over h0",
-             "h2": "second coefficient of rho Gamma over h0", "h3": "third coefficient of rho Gamma over h0",
-             "specific_heat": "specific heat at constant volume (for temperatures)", "reference_temperature": "temperature at rest"},
+    meaning={"rho0": "reference density", "k0": "coefficient of eta, the bulk modulus in the reference state",
+             "k1": "coefficient of eta^2 over k0", "k2": "coefficient of eta^3 over k0", "k3": "coefficient of eta^4 over k0",
+             "h0": "reference density times Grüneisen parameter; 0 for a pressure that depends on the density alone",
+             "h1": "coefficient of eta in rho Gamma over h0", "h2": "coefficient of eta^2 in rho Gamma over h0",
+             "h3": "coefficient of eta^3 in rho Gamma over h0",
+             "specific_heat": "specific heat at constant volume, needed for temperatures",
+             "reference_temperature": "temperature of the reference state"},
     least={"h0": 0.0},
     defaults={"h1": 0.0, "h2": 0.0, "h3": 0.0, "specific_heat": math.nan, "reference_temperature": 298.15},
     box={"rho": (2500.0, 7000.0), "e": (0.0, 1e7)},

@@ -1,10 +1,11 @@
 r"""Ideal gas with constant specific heats.
 
-$$p = (\gamma - 1)\,\rho e, \qquad T = e / c_v, \qquad s = c_v \ln\left(p\,\rho^{-\gamma}\right)$$
+$$p = (\gamma - 1)\,\rho e, \qquad T = e / c_v, \qquad s = c_v \ln\left(p\,\rho^{-\gamma}\right) + \text{const}$$
 
-Its reference state is the density rho0 at 298.15 K.
+The reference state is the density $\rho_0$ at 298.15 K; a region of a deck may start from another density and temperature. The law is
+valid while intermolecular forces, dissociation and ionisation are negligible.
 
-Source: Starkenberg A-7, polytropic gas; KB codes eq. 4.4 with the corrected density (K-E4: rho, not rho0).
+Source: Starkenberg, ARL-TR-2161, A-7 (polytropic gas); KB codes, eq. 4.4, which prints $\rho_0$ for $\rho$ (K-E4).
 """
 
 from typing import NamedTuple
@@ -49,7 +50,7 @@ def reference_isentrope(rho, par):
 
 
 def reference_state(par):
-    """A gas has no rest state of its own: standard temperature at its nominal density."""
+    """A gas has no reference state of its own: standard temperature at its nominal density."""
     return par.rho0, par.specific_heat * 298.15
 
 
@@ -64,7 +65,7 @@ EOS.add(
     example=IdealGas(1.4),
     units={"gamma": "1", "specific_heat": "J/kg/K", "rho0": "kg/m^3"},
     meaning={"gamma": "ratio of specific heats", "specific_heat": "specific heat at constant volume",
-             "rho0": "density at rest unless a region gives one"},
+             "rho0": "reference density, used where a region gives none"},
     defaults={"specific_heat": 717.5, "rho0": 1.2},
     box={"rho": (1e-3, 100.0), "e": (1e3, 1e8)},
     above={"gamma": 1.0},

@@ -1,24 +1,30 @@
-r"""JWL detonation products, constant Grüneisen parameter omega.
+r"""JWL equation of state (Jones, Wilkins, Lee) for detonation products, with a constant Grüneisen parameter.
 
 $$p = A\left(1 - \frac{\omega}{R_1V}\right)e^{-R_1V} + B\left(1 - \frac{\omega}{R_2V}\right)e^{-R_2V} + \omega\rho e,
   \qquad V = \rho_0/\rho$$
+
+Here $e$ is an energy per mass. The detonation energy $E_0$ is per volume of unreacted explosive, as usually published: the products of a
+constant-volume explosion have $e = E_0/\rho_0$. Constants are usually fitted to cylinder tests, which reach expansions of about $V = 7$.
+The sound speed follows from
+
 $$c^2 = \omega(\omega+1)\left[e_1\left(\frac{(R_1V)^2}{\omega(\omega+1)} - 1\right)e^{-R_1V}
       + e_2\left(\frac{(R_2V)^2}{\omega(\omega+1)} - 1\right)e^{-R_2V} + e\right],
-  \quad e_1 = \frac{A}{R_1\rho_0},\; e_2 = \frac{B}{R_2\rho_0}$$
+  \quad e_1 = \frac{A}{R_1\rho_0},\; e_2 = \frac{B}{R_2\rho_0},$$
 
-(with the prefactor corrected: S-E10). The isentropes are $e_S = e_1e^{-R_1V} + e_2e^{-R_2V} + a\,V^{-\omega}$. The temperature is
-$T = (e - e_C)/c_v$, with $e_C$ the cold isentrope for $a$ = `cold_constant` (0 unless a temperature of the products is known, Starkenberg
-A-4).
+with the prefactor corrected (S-E10). All isentropes are $e_S = e_1e^{-R_1V} + e_2e^{-R_2V} + \text{const}\cdot V^{-\omega}$. The
+temperature is $T = (e - e_C)/c_v$, where the cold isentrope $e_C$ has the constant `cold_constant`: 0, unless a temperature of the
+products is known to which it can be fitted.
 
-**B < 0**, as in sets for unreacted explosives: the cold pressure $f = Ae^{-R_1V} + Be^{-R_2V}$ falls to its greatest tension at
+**Negative B.** Sets fitted to unreacted explosives have $B < 0$; for those use `jwl_unreacted`, which has the same pressure. The cold
+pressure $f = Ae^{-R_1V} + Be^{-R_2V}$ then falls to its greatest tension at
 
 $$V_t = \frac{1}{R_1 - R_2}\ln\frac{AR_1}{-BR_2}$$
 
-and would rise again beyond, with an imaginary sound speed in material stretched that far. The fit is not valid at such volumes. Beyond V_t
-the cold pressure therefore keeps the value $f(V_t)$, and the cold energy grows by $-f(V_t)(V - V_t)/\rho_0$. The law is smooth to the first
-derivative, the isentropes still differ by a term in V^-omega, and $c^2 = \omega(\omega+1)(e - e_C) > 0$ at any temperature above zero.
+and would rise again beyond, with an imaginary sound speed. The fit is not valid at such volumes. Beyond $V_t$ the cold pressure therefore
+keeps the value $f(V_t)$, and the cold energy grows by $-f(V_t)(V - V_t)/\rho_0$. The law stays smooth to the first derivative, and with
+`cold_constant` = 0 the sound speed is $c^2 = \omega(\omega+1)(e - e_C)$, real at any temperature above zero.
 
-Source: Starkenberg A-9 after Lee and Hornig.
+Source: Lee and Hornig (1969), as given by Starkenberg, ARL-TR-2161, A-4 and A-9, with corrections S-E10 and S-E11.
 """
 
 import math
@@ -118,10 +124,11 @@ EOS.add(
     example=JWL(371.2e9, 3.231e9, 4.15, 0.95, 0.3, 1630.0, 7.0e9, 613.5),
     units={"a": "Pa", "b": "Pa", "r1": "1", "r2": "1", "omega": "1", "rho0": "kg/m^3", "e0": "J/m^3", "specific_heat": "J/kg/K",
            "cold_constant": "J/kg"},
-    meaning={"a": "coefficient A", "b": "coefficient B", "r1": "exponent R1", "r2": "exponent R2", "omega": "Grüneisen parameter",
+    meaning={"a": "coefficient of the first exponential", "b": "coefficient of the second exponential",
+             "r1": "exponent of the first exponential", "r2": "exponent of the second exponential", "omega": "Grüneisen parameter",
              "rho0": "density of the unreacted explosive", "e0": "detonation energy per volume of unreacted explosive",
-             "specific_heat": "specific heat at constant volume per mass (for temperatures)",
-             "cold_constant": "coefficient of V**-omega in the energy at zero temperature"},
+             "specific_heat": "specific heat at constant volume, needed for temperatures",
+             "cold_constant": "coefficient of V^-omega in the energy at zero temperature"},
     defaults={"e0": 0.0, "specific_heat": math.nan, "cold_constant": 0.0},
     box={"rho": (20.0, 3000.0), "e": (2.5e6, 2e7)},
     references=("Starkenberg, ARL-TR-2161, A-9 (corrected: S-E10, S-E11)", "Lee and Hornig 1969, as cited there"),

@@ -1,15 +1,17 @@
-r"""JWL alternative for solids: JWL reference isentrope with rho Gamma constant.
+r"""JWL form for unreacted explosives and other solids, with rho Gamma constant instead of Gamma.
 
 $$p = A\left(1 - \frac{\Gamma_0}{R_1}\right)e^{-R_1V} + B\left(1 - \frac{\Gamma_0}{R_2}\right)e^{-R_2V} + \rho_0\Gamma_0e,
   \qquad V = \rho_0/\rho$$
 
-Its isentropes are $e_S = h_S(V) + a\,e^{-\Gamma_0V}$ with $h_S = (A/R_1\,e^{-R_1V} + B/R_2\,e^{-R_2V})/\rho_0$;
-the rest state is (rho0, e) at zero pressure. Hugoniot
-(S-E12: the printed numerator counts e_u twice; with rho_Gamma the constant rho0 Gamma0, S-E14):
-$\Delta p_H = [p_\Gamma - p_u + \rho_\Gamma(e_u + p_u\Delta v)]/(1 - \tfrac12\rho_\Gamma\Delta v)$. Temperature (constant $c_v$):
-$T = T_0e^{\Gamma_0(1-V)} + (e - e_S)/c_v$ on the isentrope through the rest state.
+The reference state is the density $\rho_0$ with the energy $e_{\text{ref}}$ that gives zero pressure. All isentropes are
+$e_S = h_S(V) + \text{const}\cdot e^{-\Gamma_0V}$ with $h_S = (A/R_1\,e^{-R_1V} + B/R_2\,e^{-R_2V})/\rho_0$. With a constant specific heat
+$c_v$ the temperature is
 
-Source: Starkenberg A-10.
+$$T = T_0e^{\Gamma_0(1-V)} + \frac{e - e_S}{c_v}, \qquad e_S = h_S(V) + [e_{\text{ref}} - h_S(1)]\,e^{\Gamma_0(1-V)}.$$
+
+Constants fitted for `jwl_unreacted` ($\Gamma$ constant) give other pressures in this form away from $V = 1$ and must be fitted again.
+
+Source: Starkenberg, ARL-TR-2161, A-10, with corrections S-E12 and S-E14.
 """
 
 import math
@@ -67,7 +69,7 @@ def specific_heat(rho, e, par):
 
 
 def entropy(rho, e, par):
-    """Zero at the rest state."""
+    """Zero at the reference state."""
     ratio = temperature(rho, e, par) / par.reference_temperature
     return par.specific_heat * (vlog(ratio) - par.gamma0 * (1.0 - par.rho0 / rho))
 
@@ -87,9 +89,11 @@ EOS.add(
     example=JWLProportional(77810e9, -5.031e9, 11.3, 1.13, 0.8938, 1717.0, 1000.0),
     units={"a": "Pa", "b": "Pa", "r1": "1", "r2": "1", "gamma0": "1", "rho0": "kg/m^3", "specific_heat": "J/kg/K",
            "reference_temperature": "K"},
-    meaning={"a": "coefficient A", "b": "coefficient B (usually negative)", "r1": "exponent R1", "r2": "exponent R2",
-             "gamma0": "Grüneisen parameter at rest", "rho0": "density at rest",
-             "specific_heat": "specific heat at constant volume (for temperatures)", "reference_temperature": "temperature at rest"},
+    meaning={"a": "coefficient of the first exponential", "b": "coefficient of the second exponential, usually negative",
+             "r1": "exponent of the first exponential", "r2": "exponent of the second exponential",
+             "gamma0": "Grüneisen parameter at the reference density", "rho0": "reference density",
+             "specific_heat": "specific heat at constant volume, needed for temperatures",
+             "reference_temperature": "temperature of the reference state"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
     box={"rho": (1600.0, 4000.0), "e": (-1e5, 1e7)},
     references=("Starkenberg, ARL-TR-2161, A-10 (corrected: S-E12, S-E14)",),

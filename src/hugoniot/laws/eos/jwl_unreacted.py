@@ -1,14 +1,17 @@
-r"""JWL form fitted to an unreacted explosive, at rest under zero pressure.
+r"""JWL form fitted to an unreacted explosive, with zero pressure in the reference state.
 
 $$p = A\left(1 - \frac{\omega}{R_1V}\right)e^{-R_1V} + B\left(1 - \frac{\omega}{R_2V}\right)e^{-R_2V} + \omega\rho e,
   \qquad V = \rho_0/\rho$$
 
-The pressure is that of the law jwl. The rest state is rho0 at the energy that gives zero pressure. Published sets are made so that
-$A e^{-R_1} + B e^{-R_2} + \omega\rho_0c_vT_0 \approx 0$, which they satisfy within some 10 MPa. Temperature (constant $c_v$):
-$T = T_0V^{-\omega} + (e - e_S)/c_v$ on the isentrope through the rest state, $e_S = h_S(V) + [e_0 - h_S(1)]V^{-\omega}$,
-$h_S = (A/R_1\,e^{-R_1V} + B/R_2\,e^{-R_2V})/\rho_0$.
+The pressure is that of the law `jwl`, whose page describes the limit of tension for $B < 0$. The reference state is $\rho_0$ with the
+energy $e_{\text{ref}}$ that gives zero pressure. Published sets are made so that
+$Ae^{-R_1} + Be^{-R_2} + \omega\rho_0c_vT_0 \approx 0$, which they satisfy to within about 15 MPa; no energy is given in a deck. With a
+constant specific heat $c_v$ the temperature is
 
-Source: Starkenberg A-9 and A-10.1 (Lee and Tarver 1980 for reactants).
+$$T = T_0V^{-\omega} + \frac{e - e_S}{c_v}, \qquad e_S = h_S(V) + [e_{\text{ref}} - h_S(1)]\,V^{-\omega}, \qquad
+  h_S = \frac{1}{\rho_0}\left(\frac{A}{R_1}e^{-R_1V} + \frac{B}{R_2}e^{-R_2V}\right).$$
+
+Source: Starkenberg, ARL-TR-2161, A-9 and A-10.1; Lee and Tarver, Phys. Fluids 23, 2362 (1980), as cited there.
 """
 
 import math
@@ -47,7 +50,7 @@ def specific_heat(rho, e, par):
 
 
 def entropy(rho, e, par):
-    """Zero at the rest state."""
+    """Zero at the reference state."""
     return par.specific_heat * (vlog(temperature(rho, e, par) / par.reference_temperature) - par.omega * vlog(rho / par.rho0))
 
 
@@ -66,10 +69,10 @@ EOS.add(
     example=JWLUnreacted(77810e9, -5.031e9, 11.3, 1.13, 0.8938, 1905.0, 1305.5),
     units={"a": "Pa", "b": "Pa", "r1": "1", "r2": "1", "omega": "1", "rho0": "kg/m^3", "specific_heat": "J/kg/K",
            "reference_temperature": "K"},
-    meaning={"a": "coefficient A", "b": "coefficient B (usually negative)", "r1": "exponent R1", "r2": "exponent R2",
-             "omega": "Grüneisen parameter", "rho0": "density at rest",
-             "specific_heat": "specific heat at constant volume per mass (for temperatures)",
-             "reference_temperature": "temperature at rest"},
+    meaning={"a": "coefficient of the first exponential", "b": "coefficient of the second exponential, usually negative",
+             "r1": "exponent of the first exponential", "r2": "exponent of the second exponential", "omega": "Grüneisen parameter",
+             "rho0": "reference density", "specific_heat": "specific heat at constant volume, needed for temperatures",
+             "reference_temperature": "temperature of the reference state"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
     box={"rho": (1850.0, 4000.0), "e": (-3e5, 1e7)},
     references=("Starkenberg, ARL-TR-2161, A-9, A-10.1", "Lee and Tarver, Phys. Fluids 23, 2362 (1980), as cited there"),

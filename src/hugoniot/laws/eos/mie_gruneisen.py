@@ -1,32 +1,38 @@
-r"""Mie-Grüneisen solid on a linear shock Hugoniot, rho Gamma constant.
+r"""Mie-Grüneisen equation of state on a linear shock Hugoniot Us = c0 + s up: the standard law for shocked solids and liquids.
 
 $$p = p_R(\eta) + \rho_0\Gamma_0\,[e - e_R(\eta)], \qquad \eta = 1 - \rho_0/\rho$$
 
-In compression ($\eta \ge 0$) the reference is the principal Hugoniot of $U_s = c_0 + s\,u_p$,
+The product $\rho\Gamma = \rho_0\Gamma_0$ is constant. In compression ($\eta \ge 0$) the reference curve is the principal Hugoniot of
+$U_s = c_0 + s\,u_p$,
 
 $$p_R = \frac{\rho_0 c_0^2\,\eta}{(1 - s\eta)^2}, \qquad e_R = \frac{p_R\,\eta}{2\rho_0},$$
 
-so every state of the measured Hugoniot is reproduced exactly for any $\Gamma_0$. In tension ($\eta < 0$) the reference is an isentrope,
+so the law reproduces the measured Hugoniot exactly for any $\Gamma_0$. In tension ($\eta < 0$) the reference curve is an isentrope,
 
-$$e_R = \frac{c_0^2\eta^2}{2(1 - a\eta)}, \quad p_R = \rho_0 \frac{de_R}{d\eta}
-     = \rho_0 c_0^2\,\eta\,\frac{1 - a\eta/2}{(1 - a\eta)^2}, \quad \frac{dp_R}{d\eta} = \frac{\rho_0c_0^2}{(1 - a\eta)^3},
-     \quad a = \tfrac43 s.$$
+$$e_R = \frac{c_0^2\eta^2}{2(1 - a\eta)}, \qquad p_R = \rho_0 \frac{de_R}{d\eta}
+     = \rho_0 c_0^2\,\eta\,\frac{1 - a\eta/2}{(1 - a\eta)^2}, \qquad a = \tfrac43 s,$$
 
-With this value of a, pressure, slope and curvature are continuous with those of the Hugoniot (and of its isentrope). The slope is
-positive at every expansion, so c^2 > 0 wherever e >= e_R, and the tension of the cold solid is limited to 3 rho0 c0^2 / (8 s), about the
-ideal strength of a metal.
+which continues the Hugoniot with the same pressure, slope and curvature. Its slope $\rho_0c_0^2/(1 - a\eta)^3$ is positive at every
+expansion, so the sound speed is real wherever $e \ge e_R$, and tensions on the curve stay below $3\rho_0c_0^2/(8s)$ (22 GPa for the
+example). Real materials fail at lower tensions; add a fracture law.
 
-Temperature (constant $c_v$, Starkenberg A-4 with w = 1): $T = T_0 e^{\Gamma_0\eta} + (e - e_S)/c_v$ where $e_S$ is the isentrope through
-the reference state. In tension $e_S = e_R$; in compression it solves $e_S' - \Gamma_0 e_S = c_0^2\eta(1 - \Gamma_0\eta/2)/(1 - s\eta)^2$,
-whose exact solution contains the exponential integral (Jordan eq. 5.1.9; J-E8: not an error function). With $y = 1 - s\eta$, $\beta =
-\Gamma_0/s$:
+The Hugoniot has a pole at $\eta = 1/s$. With $s < 1$ the fit ends where $U_s$ falls to $u_p$, at $u_p = c_0/(1 - s)$ (J-E16).
 
-$$e_S = \frac{c_0^2}{s^2}\Big\{\left(1-\tfrac{\beta}{2}\right)\left(\tfrac1y - e^{\beta(1-y)}\right) 
+**Other forms.** `gamma_form = "constant"` keeps $\Gamma$ constant, and `"linear"` takes the slope $\Gamma_1$ of
+`mie_gruneisen_linear_gamma`; both are evaluated by that law, and so is a Hugoniot with $\Gamma_0 > 8s$, with the same pressures. For
+curved Hugoniots see `mie_gruneisen_quadratic` and `mie_gruneisen_cubic`.
+
+**Temperature.** With a constant specific heat $c_v$, $T = T_0 e^{\Gamma_0\eta} + (e - e_S)/c_v$, where $e_S$ is the isentrope through the
+reference state ($e = 0$, temperature $T_0$). In tension $e_S = e_R$. In compression, with $y = 1 - s\eta$, $\beta = \Gamma_0/s$ and the
+exponential integral Ei,
+
+$$e_S = \frac{c_0^2}{s^2}\Big\{\left(1-\tfrac{\beta}{2}\right)\left(\tfrac1y - e^{\beta(1-y)}\right)
  + \tfrac12\left(1 - e^{\beta(1-y)}\right)
- - \left(1 - 2\beta + \tfrac{\beta^2}{2}\right) e^{-\beta y}\,[\mathrm{Ei}(\beta) - \mathrm{Ei}(\beta y)]\Big\}.$$
+ - \left(1 - 2\beta + \tfrac{\beta^2}{2}\right) e^{-\beta y}\,[\mathrm{Ei}(\beta) - \mathrm{Ei}(\beta y)]\Big\},$$
 
-Source: Starkenberg A-6.2 and A-11; Herrmann C.5, C.6, C.12; Jordan 5.1.4 to 5.1.10.
-For the other forms of Gamma and of the Hugoniot see mie_gruneisen_linear_gamma, mie_gruneisen_quadratic, mie_gruneisen_cubic.
+the exact solution of $de_S/d\eta - \Gamma_0 e_S = c_0^2\eta(1 - \Gamma_0\eta/2)/(1 - s\eta)^2$ (J-E8).
+
+Source: Starkenberg, ARL-TR-2161, A-4, A-6.2, A-11; Herrmann, WL-TR-64-107, C.5, C.6, C.12; Jordan (2011), eq. 5.1.4 to 5.1.10.
 """
 
 import math
@@ -149,11 +155,12 @@ EOS.add(
     build=build,
     units={"rho0": "kg/m^3", "c0": "m/s", "s": "1", "gamma0": "1", "specific_heat": "J/kg/K", "reference_temperature": "K",
            "gamma_form": "text", "gamma_slope": "1"},
-    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup",
-             "gamma0": "Grüneisen parameter at rest", "specific_heat": "specific heat at constant volume (for temperatures)",
-             "reference_temperature": "temperature at rest",
-             "gamma_form": "rho_gamma_constant | constant | linear",
-             "gamma_slope": "b of Gamma = (gamma0 + b mu)/(1 + mu), mu = rho/rho0 - 1 (gamma_form linear)"},
+    meaning={"rho0": "reference density", "c0": "shock velocity at zero particle velocity", "s": "slope of the Hugoniot, dUs/dup",
+             "gamma0": "Grüneisen parameter at the reference density",
+             "specific_heat": "specific heat at constant volume, needed for temperatures",
+             "reference_temperature": "temperature of the reference state",
+             "gamma_form": "form of the Grüneisen parameter: `rho_gamma_constant`, `constant`, or `linear` with `gamma_slope`",
+             "gamma_slope": "slope of the Grüneisen parameter Gamma = (gamma0 + gamma_slope mu)/(1 + mu), mu = rho/rho0 - 1"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15, "gamma_form": "rho_gamma_constant", "gamma_slope": math.nan},
     box={"rho": (2100.0, 6500.0), "e": (0.0, 2e7)},
     references=("Starkenberg, ARL-TR-2161, A-6.2, A-11", "Herrmann, WL-TR-64-107, C.5, C.6, C.12", "Jordan 2011, eq. 5.1.4 to 5.1.10"),

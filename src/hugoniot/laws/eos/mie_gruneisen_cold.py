@@ -1,14 +1,22 @@
-r"""Mie-Grüneisen solid on the exact cold curve of a linear Hugoniot (rho Gamma constant).
+r"""Mie-Grüneisen equation of state of a linear Hugoniot, written on its exact cold curve.
 
-$$p = P_c + \rho_0\Gamma_0(e - E_c), \quad P_c = \rho_0\frac{dE_c}{d\eta}, \quad \frac{dE_c}{d\eta} - \Gamma_0E_c
-  = S(\eta) = \frac{c_0^2\,\eta\,(1 - \Gamma_0\eta/2)}{(1 - s\eta)^2}, \quad E_c(0) = E_{00}$$
+It has the pressures of `mie_gruneisen` and differs in the temperature alone, which is counted from the cold curve and therefore depends
+on the cold energy $E_{00}$. Use it to compare with results on cold curves; otherwise `mie_gruneisen` needs one parameter less.
 
-The exact solution is an exponential integral, given in mie_gruneisen (J-E8: not an error function): $E_c = E_{00}e^{\Gamma_0\eta} + e_S$.
-Substituting it gives $p = \rho_0(S + \Gamma_0e)$, the Hugoniot-referenced law. With the exact cold curve the shock state is thus correct
-for any Gamma0, and only the temperature, $T = (e - E_c)/c_v$, depends on E00 (= $-c_vT_0$ if the rest state is at T0 and e = 0). The law
-mie_gruneisen_cold_series truncates E_c at order 3 to 6.
+$$p = P_c + \rho_0\Gamma_0(e - E_c), \qquad P_c = \rho_0\frac{dE_c}{d\eta}, \qquad \eta = 1 - \rho_0/\rho$$
 
-Source: Jordan eq. 5.1.1 to 5.1.13; 5.1.10, missing from our copy, is rederived here.
+In compression the cold energy $E_c$ satisfies
+
+$$\frac{dE_c}{d\eta} - \Gamma_0E_c = S(\eta) = \frac{c_0^2\,\eta\,(1 - \Gamma_0\eta/2)}{(1 - s\eta)^2}, \qquad E_c(0) = E_{00}.$$
+
+The solution is $E_c = E_{00}e^{\Gamma_0\eta} + e_S$ with the isentrope $e_S$ given under `mie_gruneisen`, which also describes tension.
+It contains an exponential integral, not an error function (J-E8). Substituted, it gives $p = \rho_0(S + \Gamma_0e)$: shock states are
+correct for any $\Gamma_0$ and do not depend on $E_{00}$. The temperature is $T = (e - E_c)/c_v$ with a constant specific heat $c_v$. For
+a reference state of temperature $T_0$ set $E_{00} = -c_vT_0$.
+
+The closed form needs $\Gamma_0 \le 8s$.
+
+Source: Jordan (2011), eq. 5.1.1 to 5.1.13 (5.1.10 is missing from the available copy and was rederived); Starkenberg, ARL-TR-2161, A-2.
 """
 
 import math
@@ -77,9 +85,9 @@ EOS.add(
     example=MieGruneisenCold(8930.0, 3940.0, 1.49, 1.99, -385.0 * 298.15, 385.0),
     build=build,
     units={"rho0": "kg/m^3", "c0": "m/s", "s": "1", "gamma0": "1", "cold_energy": "J/kg", "specific_heat": "J/kg/K"},
-    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup",
-             "gamma0": "Grüneisen parameter at rest", "cold_energy": "energy at rho0 and 0 K (E00)",
-             "specific_heat": "specific heat at constant volume (for temperatures)"},
+    meaning={"rho0": "reference density", "c0": "shock velocity at zero particle velocity", "s": "slope of the Hugoniot, dUs/dup",
+             "gamma0": "Grüneisen parameter at the reference density", "cold_energy": "energy at the reference density and 0 K",
+             "specific_heat": "specific heat at constant volume, needed for temperatures"},
     defaults={"cold_energy": 0.0, "specific_heat": math.nan},
     box={"rho": (7000.0, 20000.0), "e": (0.0, 1e7)},
     references=("Jordan 2011, eq. 5.1.1 to 5.1.10 (J-E8)", "Starkenberg, ARL-TR-2161, A-2"),

@@ -1,15 +1,20 @@
-r"""Mie-Grüneisen solid on a cold curve truncated at order 3 to 6 (rho Gamma constant).
+r"""Mie-Grüneisen equation of state on a cold curve truncated at order 3 to 6, as printed by Jordan.
+
+Use it to reproduce results obtained with a truncated cold curve; `mie_gruneisen_cold` is the same law without truncation.
 
 $$p = P_c + \rho_0\Gamma_0(e - E_c), \qquad E_c = \sum_{n=0}^{N} e_n\eta^n,
-  \; P_c = \rho_0\frac{dE_c}{d\eta}, \quad N = 3 \ldots 6$$
-$$(n+1)\,e_{n+1} = \Gamma_0e_n + S_n, \qquad S_n = c_0^2\left[n s^{n-1} - \tfrac{\Gamma_0}{2}(n-1)s^{n-2}\right]$$
+  \; P_c = \rho_0\frac{dE_c}{d\eta}, \qquad \eta = 1 - \rho_0/\rho$$
 
-so $e_2 = (c_0^2 + \Gamma_0^2E_{00})/2$, $e_3 = (4sc_0^2 + \Gamma_0^3E_{00})/6$.
-The source uses this truncation, whose error grows with
-strain (copper, order 3: 21 % of E_c at eta = 0.3); mie_gruneisen_cold is not truncated. The series is used unchanged in tension.
-The example is that of mie_gruneisen_cold at order 4.
+The coefficients follow from the Hugoniot $U_s = c_0 + s\,u_p$ and the cold energy $E_{00}$ by
 
-Source: Jordan eq. 5.1.11 to 5.1.13 (missing from our copy, rederived).
+$$e_0 = E_{00}, \qquad (n+1)\,e_{n+1} = \Gamma_0e_n + S_n, \qquad S_n = c_0^2\left[n s^{n-1} - \tfrac{\Gamma_0}{2}(n-1)s^{n-2}\right]
+  \; (n \ge 1), \quad S_0 = 0,$$
+
+so that $e_2 = (c_0^2 + \Gamma_0^2E_{00})/2$ and $e_3 = (4sc_0^2 + \Gamma_0^3E_{00})/6$. The error of the truncation grows with
+compression: for copper with $E_{00} = 0$ the cold energy at $\eta = 0.3$ is 21 % too low at order 3 and 1.5 % at order 6. The series is
+used unchanged in tension. The temperature is $T = (e - E_c)/c_v$ with a constant specific heat $c_v$.
+
+Source: Jordan (2011), eq. 5.1.11 to 5.1.13 (missing from the available copy, rederived).
 """
 
 import math
@@ -100,10 +105,12 @@ EOS.add(
     build=build,
     units={"rho0": "kg/m^3", "c0": "m/s", "s": "1", "gamma0": "1", "order": "1", "cold_energy": "J/kg", "specific_heat": "J/kg/K",
            "e00": "J/kg", **dict.fromkeys(_COEFFICIENTS, "J/kg")},
-    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup",
-             "gamma0": "Grüneisen parameter at rest", "order": "order of the truncation, 3 to 6",
-             "cold_energy": "energy at rho0 and 0 K (E00)", "specific_heat": "specific heat at constant volume (for temperatures)",
-             "e00": "energy at rho0 and 0 K", **{k: f"coefficient of eta^{n} (filled by build)" for k, n in _COEFFICIENTS.items()}},
+    meaning={"rho0": "reference density", "c0": "shock velocity at zero particle velocity", "s": "slope of the Hugoniot, dUs/dup",
+             "gamma0": "Grüneisen parameter at the reference density", "order": "order of the truncated series, 3 to 6",
+             "cold_energy": "energy at the reference density and 0 K",
+             "specific_heat": "specific heat at constant volume, needed for temperatures",
+             "e00": "energy at the reference density and 0 K",
+             **{k: f"coefficient of eta^{n} (filled by build)" for k, n in _COEFFICIENTS.items()}},
     defaults={"order": 3.0, "cold_energy": 0.0, "specific_heat": math.nan},
     box={"rho": (8000.0, 14000.0), "e": (0.0, 3e6)},
     references=("Jordan 2011, eq. 5.1.11 to 5.1.13 (recovered)",),

@@ -1,13 +1,18 @@
-r"""Mie-Grüneisen solid on Steinberg's cubic shock Hugoniot.
+r"""Mie-Grüneisen equation of state on Steinberg's cubic shock Hugoniot, for solids whose Us-up relation is curved.
+
+The Hugoniot is a polynomial in $u_p/U_s$, which equals the compression $\eta = 1 - \rho_0/\rho$ behind the shock:
 
 $$U_s = c_0 + \left[s_1 + s_2\frac{u_p}{U_s} + s_3\left(\frac{u_p}{U_s}\right)^2\right]u_p \;\Longleftrightarrow\;
   p_H = \frac{\rho_0c_0^2\,\eta}{(1 - s_1\eta - s_2\eta^2 - s_3\eta^3)^2}, \qquad e_H = \frac{p_H\eta}{2\rho_0},$$
-$$p = p_H + \rho\Gamma\,(e - e_H), \quad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \quad \mu = \rho/\rho_0 - 1, \quad \eta = 1 - \rho_0/\rho.$$
+$$p = p_H + \rho\Gamma\,(e - e_H), \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_1\mu), \qquad \mu = \rho/\rho_0 - 1.$$
 
-Below rho0 the isentrope of limited tension of mie_gruneisen is used. Temperature as in mie_gruneisen_linear_gamma, by 16 Gauss points
-in eta (error below 1e-12 of e up to 70 % of the limiting strain).
+$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
+`gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused. Below $\rho_0$ the reference curve is the
+isentrope of limited tension of `mie_gruneisen`, with $s_1$ for $s$. The law ends at the pole of $p_H$, or before it where $u_p$ no longer
+rises with $\eta$. The temperature is that of `mie_gruneisen_linear_gamma` with this Hugoniot; its isentrope is integrated with 16 Gauss
+points (error below $10^{-12}$ of the energy up to 70 % of the limiting compression).
 
-Source: Steinberg, Cochran and Guinan 1980 as quoted by Starkenberg A-6; Starkenberg A-11.
+Source: Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted by Starkenberg, ARL-TR-2161, A-6; Starkenberg A-11.
 """
 
 import math
@@ -88,8 +93,8 @@ EOS.add(
     example=MieGruneisenCubic(11340.0, 2006.0, 1.429, 0.8506, -1.64, 2.77, 0.54, 130.0),
     build=build,
     units={"rho0": "kg/m^3", "c0": "m/s", "s1": "1", "s2": "1", "s3": "1", **reference_curves.GAMMA_UNITS},
-    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s1": "coefficient of up",
-             "s2": "coefficient of (up/Us) up", "s3": "coefficient of (up/Us)^2 up", **reference_curves.GAMMA_MEANING},
+    meaning={"rho0": "reference density", "c0": "shock velocity at zero particle velocity", "s1": "coefficient of up in Us",
+             "s2": "coefficient of (up/Us) up in Us", "s3": "coefficient of (up/Us)^2 up in Us", **reference_curves.GAMMA_MEANING},
     defaults=reference_curves.GAMMA_DEFAULTS,
     box={"rho": (9500.0, 20000.0), "e": (0.0, 5e6)},
     references=("Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted in Starkenberg, ARL-TR-2161, A-6",

@@ -1,20 +1,26 @@
-r"""Mie-Grüneisen solid on a linear shock Hugoniot, Grüneisen parameter linear in compression.
+r"""Mie-Grüneisen equation of state on a linear shock Hugoniot, with a Grüneisen parameter that varies with compression.
 
-$$p = p_R(\eta) + \rho\Gamma\,[e - e_R(\eta)], \qquad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \quad
-  \Gamma = \frac{\Gamma_0 + b\mu}{1+\mu}, \quad \mu = \rho/\rho_0 - 1, \quad \eta = 1 - \rho_0/\rho$$
+Use it instead of `mie_gruneisen` where $\rho\Gamma$ is not constant, which matters far from the Hugoniot: in porous or reshocked
+material.
 
-with the reference curves of mie_gruneisen: the principal Hugoniot $\rho_0c_0^2\eta/(1-s\eta)^2$ in compression, an isentrope of limited
-tension below rho0. With b = 0 rho Gamma is constant, with b = gamma0 Gamma is constant. Starkenberg's $\Gamma_o + \rho_{\Gamma o}v$ has
-b = $\Gamma_o$.
+$$p = p_R(\eta) + \rho\Gamma\,[e - e_R(\eta)], \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_1\mu), \qquad
+  \mu = \rho/\rho_0 - 1, \quad \eta = 1 - \rho_0/\rho$$
 
-Temperature (constant $c_v$): $T = T_0\varphi + (e - e_S)/c_v$ with $\varphi = e^{(\Gamma_0-b)\eta}(1-\eta)^{-b}$ and the isentrope energy
+The reference curves $p_R$ and $e_R$ are those of `mie_gruneisen`: the principal Hugoniot $p_R = \rho_0c_0^2\eta/(1-s\eta)^2$,
+$e_R = p_R\eta/(2\rho_0)$ in compression, an isentrope of limited tension below $\rho_0$. $\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and
+$\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant. Densities are limited to those where $\rho\Gamma$ is positive, and by the pole of the
+Hugoniot at $\eta = 1/s$ if $s > 1$; with $s < 1$ the fit ends at $u_p = c_0/(1 - s)$ (J-E16).
 
-$$e_S = \varphi \int_0^\eta \frac{c_0^2\,t\,(1 - \tfrac12 t\,[\Gamma_0 + b\,t/(1-t)])}{(1-st)^2\,\varphi(t)}\,dt,$$
+With a constant specific heat $c_v$ the temperature is $T = T_0\varphi + (e - e_S)/c_v$ with
+$\varphi = e^{(\Gamma_0-\Gamma_1)\eta}(1-\eta)^{-\Gamma_1}$ and the isentrope through the reference state, in compression
 
-evaluated by 10 Gauss points in $\sigma = -\ln(1 - st)$, in which the integrand has no pole: the error is below 1e-13 of e up to 80 % of
-the limiting strain 1/s and 1e-9 at 95 %.
+$$e_S = \varphi \int_0^\eta \frac{c_0^2\,t\,(1 - \tfrac12 t\,[\Gamma_0 + \Gamma_1\,t/(1-t)])}{(1-st)^2\,\varphi(t)}\,dt.$$
 
-Source: Steinberg, Cochran and Guinan 1980 as quoted by Starkenberg A-6; Starkenberg A-11; Herrmann C.12.
+It is evaluated with 10 Gauss points in $-\ln(1 - t/\eta_m)$, where $\eta_m$ is the limiting compression ($1/s$, or 1 if $s \le 1$). For
+$s > 1$ the error is below $10^{-13}$ of the energy up to 80 % of $\eta_m$, and $10^{-9}$ at 95 %.
+
+Source: Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted by Starkenberg, ARL-TR-2161, A-6; Starkenberg A-11;
+Herrmann, WL-TR-64-107, C.12.
 """
 
 import math
@@ -121,7 +127,7 @@ def reference_state(par):
 
 
 def density_limits(par):
-    """rho Gamma vanishes below mu = -gamma0/b when b > gamma0; the Hugoniot is singular at eta = 1/s (s > 1)."""
+    """rho Gamma vanishes below mu = -gamma0/gamma_slope when gamma_slope > gamma0; the Hugoniot is singular at eta = 1/s (s > 1)."""
     strain = 1.0 / par.s if par.s > 1.0 else 1.0
     return (lowest_density(par.rho0, par.gamma0, par.gamma_slope),
             highest_density(par.rho0, strain, par.gamma0, par.gamma_slope))
@@ -139,9 +145,11 @@ EOS.add(
     example=MieGruneisenLinearGamma(2785.0, 5328.0, 1.338, 2.0, 0.48, 863.0),
     units={"rho0": "kg/m^3", "c0": "m/s", "s": "1", "gamma0": "1", "gamma_slope": "1", "specific_heat": "J/kg/K",
            "reference_temperature": "K"},
-    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup",
-             "gamma0": "Grüneisen parameter at rest", "gamma_slope": "b of Gamma = (gamma0 + b mu)/(1 + mu), mu = rho/rho0 - 1",
-             "specific_heat": "specific heat at constant volume (for temperatures)", "reference_temperature": "temperature at rest"},
+    meaning={"rho0": "reference density", "c0": "shock velocity at zero particle velocity", "s": "slope of the Hugoniot, dUs/dup",
+             "gamma0": "Grüneisen parameter at the reference density",
+             "gamma_slope": "slope of the Grüneisen parameter Gamma = (gamma0 + gamma_slope mu)/(1 + mu), mu = rho/rho0 - 1",
+             "specific_heat": "specific heat at constant volume, needed for temperatures",
+             "reference_temperature": "temperature of the reference state"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
     box={"rho": (2100.0, 6500.0), "e": (0.0, 2e7)},
     references=("Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted in Starkenberg, ARL-TR-2161, A-6",

@@ -1,17 +1,23 @@
-r"""Mie-Grüneisen solid on a quadratic shock Hugoniot Us = c0 + s1 up + s2 up^2.
+r"""Mie-Grüneisen equation of state on a quadratic shock Hugoniot Us = c0 + s1 up + s2 up^2.
 
-With $u_p = \eta U_s$ the fit becomes a quadratic equation for $U_s$; the root that starts from c0 is
+Use it for materials whose measured $U_s$-$u_p$ relation is curved. With $u_p = \eta U_s$, $\eta = 1 - \rho_0/\rho$, the fit is a
+quadratic equation for $U_s$; the root that starts from $c_0$ is
 
 $$U_s = \frac{2c_0}{1 - s_1\eta + \sqrt{(1 - s_1\eta)^2 - 4 s_2c_0\eta^2}},
   \qquad p_H = \rho_0U_s^2\eta, \qquad e_H = \frac{p_H\eta}{2\rho_0},$$
-$$p = p_H + \rho\Gamma\,(e - e_H), \quad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \quad \mu = \rho/\rho_0 - 1, \quad \eta = 1 - \rho_0/\rho.$$
+$$p = p_H + \rho\Gamma\,(e - e_H), \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_1\mu), \qquad \mu = \rho/\rho_0 - 1.$$
 
-Below rho0 the isentrope of limited tension of mie_gruneisen is used (pressure, slope and curvature are continuous).
-For s2 > 0 the root ends at $u_p = \sqrt{c_0/s_2}$, the strain $1/(s_1 + 2\sqrt{c_0s_2})$. For s2 < 0 the fit is meaningless beyond its
-highest Us, $u_p = s_1/(2|s_2|)$, or where Us has fallen to up. Temperature as in mie_gruneisen_linear_gamma, by 16 Gauss points in eta
-(error below 1e-12 of e up to 70 % of the limiting strain).
+$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
+`gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused. Below $\rho_0$ the reference curve is the
+isentrope of limited tension of `mie_gruneisen`, with $s_1$ for $s$.
 
-Source: Starkenberg A-11 (any $U_H(u)$ that can be solved); Hugoniot form as in compilations of shock data (Marsh 1980).
+For $s_2 > 0$ the root ends at $u_p = \sqrt{c_0/s_2}$, the compression $1/(s_1 + 2\sqrt{c_0s_2})$. For $s_2 < 0$ the law ends where the
+fitted $U_s$ is highest, $u_p = s_1/(2|s_2|)$, or where it has fallen to $u_p$. Use the fit only in the range of particle velocities in
+which it was made. The temperature is that of `mie_gruneisen_linear_gamma` with this Hugoniot; its isentrope is integrated with 16 Gauss
+points (error below $10^{-12}$ of the energy up to 70 % of the limiting compression).
+
+Source: Starkenberg, ARL-TR-2161, A-11 (any $U_H(u)$ that can be solved); form of the Hugoniot as in compilations of shock data (Marsh
+1980).
 """
 
 import math
@@ -78,8 +84,8 @@ EOS.add(
     example=MieGruneisenQuadratic(7856.0, 3531.0, 1.914, -6.06e-5, 1.69, 0.0, 450.0),
     build=build,
     units={"rho0": "kg/m^3", "c0": "m/s", "s1": "1", "s2": "s/m", **reference_curves.GAMMA_UNITS},
-    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s1": "initial slope dUs/dup",
-             "s2": "quadratic coefficient", **reference_curves.GAMMA_MEANING},
+    meaning={"rho0": "reference density", "c0": "shock velocity at zero particle velocity", "s1": "initial slope of the Hugoniot, dUs/dup",
+             "s2": "coefficient of up^2 in Us", **reference_curves.GAMMA_MEANING},
     defaults=reference_curves.GAMMA_DEFAULTS,
     box={"rho": (6000.0, 12000.0), "e": (0.0, 2e7)},
     references=("Starkenberg, ARL-TR-2161, A-11",),

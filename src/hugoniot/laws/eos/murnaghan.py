@@ -1,13 +1,24 @@
-r"""Mie-Grüneisen solid on a Murnaghan curve.
+r"""Murnaghan equation of state, for moderately compressed solids known from ultrasonic or static compression data.
 
-$$p = p_c(\rho) + \rho\Gamma\,(e - e_c(\rho)), \qquad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \qquad \mu = \rho/\rho_0 - 1$$
+It is a Mie-Grüneisen law whose reference isentrope is a Murnaghan curve with pressure $p_c$ and energy $e_c$, on which the bulk modulus
+is linear in the pressure:
+
+$$p = p_c(\rho) + \rho\Gamma\,[e - e_c(\rho)], \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_1\mu), \qquad \mu = \rho/\rho_0 - 1$$
 $$p_c = \frac{K_0}{n}\left(X^n - 1\right), \qquad e_c = \frac{K_0}{n\rho_0}\left[\frac{X^{n-1} - 1}{n - 1} + \frac1X - 1\right],
   \qquad X = \rho/\rho_0$$
 
-The curve is taken as the isentrope through the rest state (e = 0, T0), so that $T = T_0\varphi + (e - e_c)/c_v$ with constant $c_v$ and
-$\ln\varphi = (\Gamma_0 - b)\eta - b\ln(1 - \eta)$, $\eta = 1 - \rho_0/\rho$. b = 0: rho Gamma constant; b = gamma0: Gamma constant.
+$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
+`gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused.
 
-Source: Herrmann C.8 (with A = K0/n, exponent n); Murnaghan 1944.
+The curve is the isentrope through the reference state ($e = 0$, temperature $T_0$), so $K_0$ is the isentropic bulk modulus
+(static compression gives the isothermal one). With a constant specific heat $c_v$,
+
+$$T = T_0\varphi + \frac{e - e_c}{c_v}, \quad
+  \ln\varphi = (\Gamma_0 - \Gamma_1)\,\eta - \Gamma_1\ln(1 - \eta), \quad \eta = 1 - \rho_0/\rho.$$
+
+Tensions on the curve stay below $K_0/n$ (18 GPa for the example), and its sound speed is real at any expansion.
+
+Source: Murnaghan, Proc. Natl. Acad. Sci. 30, 244 (1944); Herrmann, WL-TR-64-107, C.8 (with A = K0/n).
 """
 
 import math
@@ -44,9 +55,8 @@ EOS.add(
     example=Murnaghan(2785.0, 76e9, 4.3, 2.0, 0.0, 863.0),
     build=with_gamma_form(Murnaghan),
     units={"rho0": "kg/m^3", "bulk_modulus": "Pa", "exponent": "1", **reference_curves.GAMMA_UNITS},
-    meaning={"rho0": "density at rest",
-             "bulk_modulus": "bulk modulus at rest", "exponent": "exponent n, its pressure derivative (not 1)",
-             **reference_curves.GAMMA_MEANING},
+    meaning={"rho0": "reference density", "bulk_modulus": "bulk modulus in the reference state",
+             "exponent": "exponent, the pressure derivative of the bulk modulus, not 1", **reference_curves.GAMMA_MEANING},
     defaults=reference_curves.GAMMA_DEFAULTS,
     box={"rho": (2300.0, 6000.0), "e": (0.0, 1e7)},
     above={"exponent": 0.0},

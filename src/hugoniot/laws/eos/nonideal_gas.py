@@ -1,11 +1,17 @@
-r"""Gas with one measured isentrope p1 (rho/rho1)^beta as its reference, for detonation products.
+r"""Nonideal gas for detonation products, referred to one isentrope that is a power of the density.
+
+Use it for an explosive of which only one state of the products, usually the CJ state, and an exponent are known. The isentrope through
+that state $(\rho_1, p_1)$ is $p_i = p_1(\rho/\rho_1)^\beta$ with the energy $e_i = p_i/[\rho(\beta-1)]$, and
 
 $$p = \chi\rho^\beta + \Gamma\rho e, \qquad \chi = p_1\rho_1^{-\beta}\left(1 - \frac{\Gamma}{\beta - 1}\right)$$
 
-The isentrope through (rho1, p1), usually the CJ state, is $p_i = p_1(\rho/\rho_1)^\beta$, $e_i = p_i/(\rho(\beta-1))$.
-Temperature (constant $c_v$): $T = T_1(\rho/\rho_1)^\Gamma + (e - e_i)/c_v$, where T1 is the temperature at (rho1, p1).
+with a constant Grüneisen parameter $\Gamma$. The products of a constant-volume explosion have the density $\rho_0$ and the energy
+$E_0/\rho_0$. With a constant specific heat $c_v$ and the temperature $T_1$ of the known state,
+$T = T_1(\rho/\rho_1)^\Gamma + (e - e_i)/c_v$.
 
-Source: Herrmann C.19 to C.23 (in the pentolite example "p_i = 2.77" is beta: H-E12).
+Real products expand with a falling exponent; for large expansions use `jwl` or `davis_products`.
+
+Source: Herrmann, WL-TR-64-107, C.19 to C.23 (in the pentolite example "$p_i$ = 2.77" is $\beta$: H-E12).
 """
 
 import math
@@ -76,11 +82,11 @@ EOS.add(
     example=NonidealGas(2333.0, 29.0289e9, 2.9, 0.9, 1714.0, 8.2e9, 1300.0, 3500.0),
     units={"rho1": "kg/m^3", "p1": "Pa", "beta": "1", "gamma": "1", "rho0": "kg/m^3", "e0": "J/m^3", "specific_heat": "J/kg/K",
            "reference_temperature": "K"},
-    meaning={"rho1": "density of the known state (CJ)", "p1": "pressure of the known state (CJ)", "beta": "exponent of the isentrope",
-             "gamma": "Grüneisen parameter", "rho0": "density of the unreacted explosive",
-             "e0": "detonation energy per volume of unreacted explosive",
-             "specific_heat": "specific heat at constant volume (for temperatures)",
-             "reference_temperature": "temperature of the known state"},
+    meaning={"rho1": "density of the known state of the products, usually the CJ state",
+             "p1": "pressure of the known state of the products", "beta": "exponent of the isentrope", "gamma": "Grüneisen parameter",
+             "rho0": "density of the unreacted explosive", "e0": "detonation energy per volume of unreacted explosive",
+             "specific_heat": "specific heat at constant volume, needed for temperatures",
+             "reference_temperature": "temperature of the known state, needed for temperatures"},
     defaults={"e0": 0.0, "specific_heat": math.nan, "reference_temperature": math.nan},
     box={"rho": (50.0, 3500.0), "e": (1e6, 2e7)},
     references=("Herrmann, WL-TR-64-107, C.19 to C.23",),

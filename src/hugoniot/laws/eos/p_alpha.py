@@ -1,19 +1,22 @@
-r"""P-alpha porosity: any solid's law with pores that close as a function of pressure.
+r"""P-alpha compaction of porous material: the distension alpha falls with pressure until the pores are closed.
+
+Use it for porous metals, rocks and similar solids with a measured crush curve. The distension $\alpha$ is the density of the solid over
+that of the porous material. The pressure is that of the solid by the base law, averaged over the volume:
 
 $$p = \frac{1}{\alpha}\,p_{\text{solid}}(\alpha\rho, e), \qquad
   \alpha(p) = 1 + (\alpha_0 - 1)\left(\frac{p_s - p}{p_s - p_e}\right)^2 \quad (p_e < p < p_s)$$
 
-alpha = 1 above the compaction pressure p_s and alpha_0 below the elastic limit p_e (also in tension). The factor 1/alpha is Carroll and
-Holt's: with it the work on the porous material at fixed alpha is the work on its solid. The implicit equation is solved for the
-solid's density by Newton steps kept in a bracket.
+$\alpha = 1$ above the compaction pressure $p_s$, and $\alpha = \alpha_0$ below the elastic limit $p_e$ and in tension. With the factor
+$1/\alpha$ of Carroll and Holt the work on the porous material at constant $\alpha$ is the work on its solid. The density of the solid is
+found from this implicit equation by Newton's method in a bracket.
 
-Crushing is irreversible: below the largest pressure reached alpha keeps the value reached there, so that the material unloads and
-reloads elastically with the work and the sound speed of its solid, to the density rho_s/alpha where the pressure is gone. The history
-variable is the compaction $k = (\alpha_0 - \alpha)/(\alpha_0 - 1) = 1 - y^2$, y the bracket above; crushed material is the same law
-with $\alpha_0 - 1$ smaller by 1 - k and p_e raised to $p_s - (p_s - p_e)\sqrt{1 - k}$.
+Crushing is irreversible. Below the largest pressure reached, $\alpha$ keeps its value, and the material unloads and reloads elastically
+with the sound speed of its solid, to the density $\rho_s/\alpha$ at zero pressure ($\rho_s$: reference density of the solid). A run keeps
+the compaction $k = (\alpha_0 - \alpha)/(\alpha_0 - 1)$ of every zone. Crushed material obeys the same law with $\alpha_0 - 1$ multiplied
+by $1 - k$ and $p_e$ raised to $p_s - (p_s - p_e)\sqrt{1 - k}$.
 
-The temperature is that of the solid. There is no entropy: with v = alpha v_s the solid gains $T\,ds = -p_s v_s\,d\alpha/\alpha$ along
-de + p dv = 0, the heat of crushing, so that entropy is no function of the state of the porous material.
+The temperature is that of the solid. There is no entropy: with $v = \alpha v_{\text{solid}}$ the solid gains the heat of crushing,
+$T\,ds = -p_{\text{solid}}\,v_{\text{solid}}\,d\alpha/\alpha$, along $de + p\,dv = 0$, so entropy is not a function of density and energy.
 
 Source: Herrmann, J. Appl. Phys. 40, 2490 (1969); Carroll and Holt, J. Appl. Phys. 43, 759 (1972).
 """
@@ -167,8 +170,10 @@ EOS.add(
     example=PAlpha(MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0), 1.275, 0.08e9, 0.7e9),
     build=build,
     units={"base": "law", "alpha0": "1", "elastic_pressure": "Pa", "compaction_pressure": "Pa"},
-    meaning={"base": "law of the solid", "alpha0": "solid density over porous density at rest",
-             "elastic_pressure": "pressure at which pores begin to close", "compaction_pressure": "pressure at which they have closed"},
+    meaning={"base": "equation of state of the solid",
+             "alpha0": "initial distension: density of the solid over that of the porous material",
+             "elastic_pressure": "pressure at which the pores begin to close",
+             "compaction_pressure": "pressure at which the pores have closed"},
     box={"rho": (2000.0, 4500.0), "e": (0.0, 5e6)},
     flags=("remembers",),
     references=("Herrmann, J. Appl. Phys. 40, 2490 (1969)", "Carroll and Holt, J. Appl. Phys. 43, 759 (1972)"),

@@ -1,18 +1,20 @@
-r"""P-lambda porosity: a mixture of uncompacted and fully compacted material at one pressure.
+r"""P-lambda compaction of porous material: a mixture of uncompacted and fully compacted material at one pressure.
+
+Use it for powders and granular materials whose compaction is spread over a wide range of pressures, without a sharp end.
 
 $$\frac1\rho = \lambda\,v_s(p, e) + (1 - \lambda)\,v_i(p), \qquad \lambda = 1 - e^{-(p/Y)^n}, \qquad v_i = \frac{1}{\rho_{00}(1 + p/K)}$$
 
-lambda is the compacted share of the mass, v_s the volume of the solid by its own law, v_i that of the porous matrix, elastic with the bulk
-modulus K; Y is the crush strength, n its sharpness. In tension (rho < rho00) nothing is compacted and $p = K(1 - \rho_{00}/\rho)$.
-The equation is solved for the solid's density by Newton steps kept in a bracket, in a form straight enough for four or five of them.
-Heated below the density of its solid so much that the solid alone would fill more than the volume, the material can satisfy the
-equation twice; the search starts at the compacted root and keeps to it.
+$\lambda$ is the compacted fraction of the mass, $v_s$ the volume of the solid by the base law, and $v_i$ that of the porous matrix, which
+has the initial density $\rho_{00}$ and the bulk modulus $K$. $Y$ is the crush strength and $n$ its sharpness. In tension, uncompacted
+material has $p = K(1 - \rho_{00}/\rho)$. The density of the solid is found from this implicit equation by Newton's method in a bracket.
+If the material is so hot that its solid alone would fill more than the volume, the equation can have two roots; the compacted one is
+used.
 
-Compaction is irreversible: below the largest pressure reached lambda, the history variable, keeps its value, and the mixture unloads
-and reloads elastically. Shares of energy between the two parts are not modelled; the temperature is that of the solid at the mixture's
-energy. There is no entropy: compaction dissipates, which a law of the state alone cannot count.
+Compaction is irreversible. Below the largest pressure reached, $\lambda$ keeps its value, and the mixture unloads and reloads
+elastically; a run keeps $\lambda$ of every zone. The two parts exchange no energy in this model: the temperature is that of the solid at
+the energy of the mixture. There is no entropy, because compaction dissipates energy along paths that density and energy do not determine.
 
-Source: Grady, Winfree, Kerley, Wilson and Kuhns, J. Phys. IV France 10, Pr9-15 (2000); Grady and Winfree 2001.
+Source: Grady, Winfree, Kerley, Wilson and Kuhns, J. Phys. IV France 10, Pr9-15 (2000); Grady and Winfree (2001).
 """
 
 from typing import Any, NamedTuple
@@ -239,9 +241,10 @@ EOS.add(
     build=build,
     units={"base": "law", "rho_porous": "kg/m^3", "matrix_modulus": "Pa", "crush_strength": "Pa", "exponent": "1",
            "compaction": "1"},
-    meaning={"base": "law of the solid", "rho_porous": "density of the porous material at rest",
-             "matrix_modulus": "bulk modulus of the uncompacted material", "crush_strength": "pressure scale of compaction",
-             "exponent": "sharpness of compaction (1 or more)", "compaction": "fraction already compacted (set by a run)"},
+    meaning={"base": "equation of state of the solid", "rho_porous": "initial density of the porous material",
+             "matrix_modulus": "bulk modulus of the uncompacted material",
+             "crush_strength": "crush strength, the pressure scale of the compaction",
+             "exponent": "sharpness of the compaction, 1 or more", "compaction": "fraction of the mass already compacted, set by a run"},
     defaults={"exponent": 1.0},
     box={"rho": (2000.0, 4500.0), "e": (0.0, 5e6)},
     flags=("remembers",),

@@ -1,16 +1,21 @@
-r"""Polynomial in compression, linear in energy (the form of the KO codes).
+r"""Polynomial in the compression, linear in energy, as in Wilkins' KO codes.
 
-$$p = a\,x + b\,x^2 + c\,x^3 + d\,\frac{\rho}{\rho_0}E, \qquad x = \rho/\rho_0 - 1, \quad E = \rho_0 e$$
+Use it for published coefficients of this form:
 
-The A.1 form $P = a\mu + b\mu^2 + c(1+\mu)E$ is this law with its c set to 0 and d to the c of A.1. The Grüneisen parameter is the
-constant d.
-Temperature (constant $c_v$): $T = T_0\,(\rho/\rho_0)^d + (e - e_S)/c_v$ with the isentrope through the reference state, exact:
+$$p = a\,\mu + b\,\mu^2 + c\,\mu^3 + d\,\rho e, \qquad \mu = \rho/\rho_0 - 1$$
 
-$$e_S = \frac{X^d}{\rho_0}\sum_{n=0}^{3} c_n \frac{X^{n-1-d} - 1}{n-1-d}, \qquad X = \rho/\rho_0, \quad p(X, 0) = \sum_n c_nX^n$$
+$a$ is the bulk modulus in the reference state and $d$ the constant Grüneisen parameter. Sources often give the
+energy per reference volume, $E = \rho_0e$, and the last term as $d\,(1 + \mu)E$, which is the same. The polynomial is used unchanged in
+tension and far beyond the compressions of the data, where a negative coefficient makes the law unstable.
 
-(the logarithm where the exponent vanishes).
+With a constant specific heat $c_v$ the temperature is $T = T_0X^d + (e - e_S)/c_v$, $X = \rho/\rho_0$, with the isentrope through the
+reference state
 
-Source: Wilkins B.1 item 6 and A.1.
+$$e_S = \frac{X^d}{\rho_0}\sum_{n=0}^{3} c_n \frac{X^{n-1-d} - 1}{n-1-d}, \qquad p(X, 0) = \sum_n c_nX^n$$
+
+(a logarithm where the exponent vanishes).
+
+Source: Wilkins, B.1 item 6, and A.1, which has no cubic term and writes c for d.
 """
 
 import math
@@ -91,9 +96,10 @@ EOS.add(
     functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
     example=Polynomial(2700.0, 73e9, 172e9, 40e9, 1.6, 890.0),
     units={"rho0": "kg/m^3", "a": "Pa", "b": "Pa", "c": "Pa", "d": "1", "specific_heat": "J/kg/K", "reference_temperature": "K"},
-    meaning={"rho0": "density at rest", "a": "linear coefficient (bulk modulus at rest)", "b": "quadratic coefficient",
-             "c": "cubic coefficient", "d": "energy coefficient (Grüneisen parameter)",
-             "specific_heat": "specific heat at constant volume (for temperatures)", "reference_temperature": "temperature at rest"},
+    meaning={"rho0": "reference density", "a": "linear coefficient, the bulk modulus in the reference state",
+             "b": "quadratic coefficient", "c": "cubic coefficient", "d": "coefficient of the energy, the Grüneisen parameter",
+             "specific_heat": "specific heat at constant volume, needed for temperatures",
+             "reference_temperature": "temperature of the reference state"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
     box={"rho": (2400.0, 6000.0), "e": (0.0, 2e7)},
     references=("Wilkins, B.1 item 6 and A.1",),

@@ -1,12 +1,12 @@
-r"""Pressure as a power of the density alone, the isentrope of a gamma-law gas written as an equation of state.
+r"""Pressure as a power of the density alone: the isentrope of an ideal gas.
 
-$$p = A\rho^\gamma = p_0\left(\frac{\rho}{\rho_0}\right)^\gamma, \qquad c^2 = \gamma p/\rho$$
+$$p = p_0\left(\frac{\rho}{\rho_0}\right)^\gamma, \qquad c^2 = \gamma p/\rho$$
 
-The pressure does not depend on the energy: shock heating has no effect, and material that expands again returns to its initial density at
-its initial pressure. Sound waves and rarefactions are those of the gas; for shocks use `ideal_gas`. There is no temperature, and density
-and pressure do not determine the energy.
+Use it for sound waves and rarefactions. The pressure does not depend on the energy, so shock heating has no effect, and material that
+expands again returns to its initial density at its initial pressure. For shocks use `ideal_gas`. Density and pressure do not determine
+the energy.
 
-Source: KB codes eq. 2.5 and 2.6.
+Source: KB codes, eq. 2.5 and 2.6.
 """
 
 from typing import NamedTuple
@@ -51,7 +51,7 @@ EOS.add(
     example=PowerLaw(1.2, 101325.0, 1.4),
     build=build,
     units={"rho0": "kg/m^3", "p0": "Pa", "gamma": "1"},
-    meaning={"rho0": "density at rest", "p0": "pressure at rest", "gamma": "exponent"},
+    meaning={"rho0": "reference density", "p0": "pressure at the reference density", "gamma": "exponent of the density"},
     box={"rho": (0.1, 20.0), "e": (0.0, 1e6)},
     references=("KB codes, equations 2.5 and 2.6",),
     flags=("linear_in_energy", "gas"),

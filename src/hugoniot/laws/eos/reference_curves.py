@@ -2,15 +2,15 @@ r"""Reference curves of the Mie-Grüneisen solids, and the laws they make.
 
 A reference curve is (P, E, dP/deta, dE/deta) at the compression $\eta = 1 - \rho_0/\rho$, with P = p/rho0 and E both in J/kg:
 
-* an isentrope through the rest state (murnaghan, tait, vinet, birch_murnaghan): a law gives `reference_curve(rho, par)`, the rest
+* an isentrope through the reference state (murnaghan, tait, vinet, birch_murnaghan): a law gives `reference_curve(rho, par)`, the rest
   is ON_ISENTROPE;
-* `shocked`, a Hugoniot through the rest state, $E = P\eta/2$, continued below rho0 by `stretched`, the isentrope of bounded tension of
+* `shocked`, a Hugoniot through the reference state, $E = P\eta/2$, continued below rho0 by `stretched`, the isentrope of bounded tension of
   mie_gruneisen (mie_gruneisen_quadratic, mie_gruneisen_cubic): a law gives `hugoniot_curve(eta, par)`, the rest is ON_HUGONIOT.
 
-$$p = \rho_0P + \rho\Gamma\,(e - E), \qquad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \qquad \mu = \rho/\rho_0 - 1$$
+$$p = \rho_0P + \rho\Gamma\,(e - E), \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_1\mu), \qquad \mu = \rho/\rho_0 - 1$$
 
-With the isentrope $e_S$ through the rest state (e = 0, T0) and constant $c_v$: $T = T_0\varphi + (e - e_S)/c_v$,
-$\ln\varphi = (\Gamma_0 - b)\eta - b\ln(1 - \eta)$.
+With the isentrope $e_S$ through the reference state (e = 0, T0) and constant $c_v$: $T = T_0\varphi + (e - e_S)/c_v$,
+$\ln\varphi = (\Gamma_0 - \Gamma_1)\eta - \Gamma_1\ln(1 - \eta)$, where $\Gamma_1$ is `gamma_slope`.
 
 Source: Starkenberg A-1, A-4, A-6, A-11; the tension curve is derived in mie_gruneisen.
 """
@@ -25,23 +25,25 @@ from hugoniot.laws.eos.special import quadrature
 
 
 def gamma_slope_of(form, gamma0, slope=math.nan):
-    """b of Gamma = (gamma0 + b mu)/(1 + mu) for a named form: rho_gamma_constant, constant, linear (then `slope`)."""
+    """The slope of Gamma = (gamma0 + slope mu)/(1 + mu) for a named form: rho_gamma_constant, constant, linear (then `slope`)."""
     if form == "rho_gamma_constant":
         return 0.0
     if form == "constant":
         return gamma0
     if form == "linear":
         if not math.isfinite(slope):
-            raise OutOfRange("mie_gruneisen: gamma_form 'linear' needs gamma_slope, the b of (gamma0 + b mu)/(1 + mu)")
+            raise OutOfRange("mie_gruneisen: gamma_form 'linear' needs gamma_slope: Gamma = (gamma0 + gamma_slope mu)/(1 + mu)")
         return slope
     raise OutOfRange(f"mie_gruneisen: unknown gamma_form '{form}'; known: rho_gamma_constant, constant, linear")
 
 
 GAMMA_UNITS = {"gamma0": "1", "gamma_slope": "1", "specific_heat": "J/kg/K", "reference_temperature": "K", "gamma_form": "text"}
 GAMMA_MEANING = {
-    "gamma0": "Grüneisen parameter at rest", "gamma_slope": "b of Gamma = (gamma0 + b mu)/(1 + mu), mu = rho/rho0 - 1",
-    "specific_heat": "specific heat at constant volume (for temperatures)", "reference_temperature": "temperature at rest",
-    "gamma_form": "rho_gamma_constant | constant | linear (then with gamma_slope)",
+    "gamma0": "Grüneisen parameter at the reference density",
+    "gamma_slope": "slope of the Grüneisen parameter Gamma = (gamma0 + gamma_slope mu)/(1 + mu), mu = rho/rho0 - 1",
+    "specific_heat": "specific heat at constant volume, needed for temperatures",
+    "reference_temperature": "temperature of the reference state",
+    "gamma_form": "form of the Grüneisen parameter: `rho_gamma_constant`, `constant`, or `linear` with `gamma_slope`",
 }
 GAMMA_DEFAULTS = {"gamma_slope": math.nan, "specific_heat": math.nan, "reference_temperature": 298.15, "gamma_form": "rho_gamma_constant"}
 
@@ -70,7 +72,7 @@ def stretched(eta, c0, s):
 
 
 def mie_gruneisen_pressure(rho, e, curve, rho0, gamma0, slope):
-    """p = rho0 (P + (gamma0 + b mu)(e - E))."""
+    """p = rho0 (P + (gamma0 + slope mu)(e - E))."""
     return rho0 * (curve[0] + (gamma0 + slope * (rho / rho0 - 1.0)) * (e - curve[1]))
 
 
@@ -82,7 +84,7 @@ def mie_gruneisen_derivatives(rho, e, curve, rho0, gamma0, slope):
 
 
 def log_heating(eta, gamma0, slope):
-    """ln(T/T0) along an isentrope from rho0 to eta: (gamma0 - b) eta - b ln(1 - eta)."""
+    """ln(T/T0) along an isentrope from rho0 to eta: (gamma0 - slope) eta - slope ln(1 - eta)."""
     return (gamma0 - slope) * eta - slope * vlog(1.0 - eta)
 
 
@@ -120,7 +122,7 @@ def specific_heat(rho, e, par):
 
 
 def entropy(rho, e, par):
-    """Zero at the rest state."""
+    """Zero at the reference state."""
     ratio = law_temperature(rho, e, par) / par.reference_temperature
     return par.specific_heat * (vlog(ratio) - log_heating(1.0 - par.rho0 / rho, par.gamma0, par.gamma_slope))
 
@@ -134,7 +136,7 @@ def density_limits(par):
 
 
 def reference_isentrope(rho, par):
-    """(E, ln(T/T0)) where the curve is the isentrope through the rest state."""
+    """(E, ln(T/T0)) where the curve is the isentrope through the reference state."""
     return reference_curve(rho, par)[1], log_heating(1.0 - par.rho0 / rho, par.gamma0, par.gamma_slope)
 
 
@@ -153,7 +155,7 @@ def shocked_or_stretched(rho, par):
 
 
 def isentrope_beside_hugoniot(rho, par):
-    """(e, ln(T/T0)) on the isentrope through the rest state, by 16 Gauss points in eta: error below 1e-12 of e up to 70 % of the
+    """(e, ln(T/T0)) on the isentrope through the reference state, by 16 Gauss points in eta: error below 1e-12 of e up to 70 % of the
     limiting strain."""
     eta = 1.0 - par.rho0 / rho
     growth = log_heating(eta, par.gamma0, par.gamma_slope)

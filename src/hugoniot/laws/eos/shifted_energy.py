@@ -1,10 +1,11 @@
-r"""Shifted origin of energy: any law with a different zero of energy.
+r"""Shifted origin of energy: any law with another zero of energy.
 
 $$p(\rho, e) = p_{\text{base}}(\rho, e + \Delta e)$$
 
-so that the laws of a problem (an explosive and its products, two phases) have the same origin of energy.
+Use it to give the laws of one problem, such as an explosive and its products or two phases, the same origin of energy. The reference
+energy is that of the base law minus $\Delta e$. Everything else is that of the base law at the energy $e + \Delta e$.
 
-Source: Starkenberg A-1 (the energy of an equation of state is defined up to a constant).
+Source: Starkenberg, ARL-TR-2161, A-1 (the energy of an equation of state is defined up to a constant).
 """
 
 from typing import Any, NamedTuple
@@ -81,7 +82,7 @@ EOS.add(
                particle_velocity_limit, smooth_piece, piece_coordinate],
     example=ShiftedEnergy(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), -4e6),
     units={"base": "law", "shift": "J/kg"},
-    meaning={"base": "the law whose energy origin is shifted", "shift": "added to the energy before the base law is evaluated"},
+    meaning={"base": "equation of state whose origin of energy is shifted", "shift": "energy added before the base law is evaluated"},
     box={"rho": (2300.0, 6500.0), "e": (4e6, 2e7)},
     references=("Starkenberg, ARL-TR-2161, A-1",),
 )

@@ -1,17 +1,17 @@
-r"""The shock equation of state of the KB codes: the pressure of the shock that would have given a zone its energy.
+r"""Shock equation of state of the KB codes: the pressure of the shock that would have given a zone its energy.
+
+It is included to reproduce results of those codes for unreacted explosives. For anything else use `mie_gruneisen`.
 
 $$p = \rho_0\,U_s\,u_p, \qquad u_p = \sqrt{2e}, \qquad U_s = c_0 + s\,u_p + s_2u_p^2$$
 
 The density does not enter (K-E10): the pressure is right on the principal Hugoniot and nowhere else. There is no tension and no elastic
-release, and a zone at e = 0 stays there under its own pressure, because p = 0 does no work: only the artificial viscosity heats it.
-It is kept to reproduce those codes' results for unburned explosives; use `mie_gruneisen` for anything else.
+release. A zone with $e = 0$ stays there under its own pressure, because $p = 0$ does no work: only artificial viscosity heats it.
 
-With $\partial p/\partial\rho = 0$ the speed of sound is that of $p\,p_e/\rho^2$: 
-$c = \tfrac{\rho_0}{\rho}\sqrt{U_s\,(c_0 + 2su_p + 3s_2u_p^2)}$, $c_0$ at rest. With s2 negative the pressure stops rising with the energy
-where the last factor vanishes; there the speed of sound is no longer real, and a run stops. The slope
-$p_e = \rho_0(c_0/u_p + 2s + 3s_2u_p)$ is infinite at rest, so $u_p$ is at least REST, which leaves 3e-3 Pa in a metal.
+The sound speed is $c = (\rho_0/\rho)\sqrt{U_s\,(c_0 + 2su_p + 3s_2u_p^2)}$. With $s_2 < 0$ it is no longer real where the last factor
+vanishes, and a run stops. The slope $\partial p/\partial e$ is infinite at $e = 0$; $u_p$ is therefore at least $10^{-9}$ m/s, which
+leaves a pressure of a few hundredths of a pascal in a metal.
 
-Source: KB codes equations 3.1, 3.6 and 3.7.
+Source: KB codes, eq. 3.1, 3.6 and 3.7.
 """
 
 from typing import NamedTuple
@@ -66,8 +66,8 @@ EOS.add(
     example=ShockEnergy(1770.0, 3080.0, 2.01),
     build=build,
     units={"rho0": "kg/m^3", "c0": "m/s", "s": "1", "s2": "s/m"},
-    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup at rest",
-             "s2": "half its change with up (S2)"},
+    meaning={"rho0": "reference density", "c0": "shock velocity at zero particle velocity", "s": "initial slope of the Hugoniot, dUs/dup",
+             "s2": "coefficient of up^2 in Us"},
     defaults={"s2": 0.0},
     box={"rho": (1200.0, 3500.0), "e": (1e2, 1e7)},
     flags=("shocks_only",),

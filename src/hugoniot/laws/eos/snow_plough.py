@@ -1,17 +1,24 @@
-r"""Snow-plough porosity: pores close at a crush pressure, then the solid's law holds.
+r"""Snow-plough compaction of porous material: pores close at a crush pressure, beyond which the law of the solid holds.
+
+Use it where only the initial density and a crush pressure are known.
 
 $$p = \max\left[p_{\text{solid}}(\rho, e),\;
   \min\left(p_c\,\frac{\rho - \rho_{00}}{\rho_s - \rho_{00}},\; c_s^2(\rho - \rho_r)\right)\right]$$
 
-rho00 is the density of the porous material, rho_s that of its solid at rest, p_c the pressure that has closed the pores (the pure
-snow-plough is its limit 0, in which sound does not travel). On the ramp the pressure does not depend on energy. Shock states are
-those of the solid's Hugoniot for the larger initial volume. Crushing is irreversible: from the ramp the material unloads with the sound
-speed c_s of its solid to the density rho_r (rho00 before any crushing; so it supports tension) and reloads on the same line; once the
-solid's pressure has exceeded the ramp the pores are closed and the solid's law holds for good. The history variable is the compaction
-$(\rho_r - \rho_{00})/(\rho_s - \rho_{00})$, 1 when closed. The temperature is that of the solid, where it is compacted; there is no
-entropy, because crushing at a pressure that does not depend on heat dissipates energy.
+$\rho_{00}$ is the initial density of the porous material, $\rho_s$ and $c_s$ the reference density and sound speed of its solid (the base
+law), and $p_c$ the pressure at which the pores have closed. The pure snow-plough is the limit $p_c = 0$, in which sound does not travel.
+On the ramp, the first expression in the minimum, the pressure does not depend on energy. Shocks that close the pores reach the Hugoniot
+of the solid for the larger initial volume.
 
-Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.3; Thouvenin 1966 as reviewed by Herrmann, J. Appl. Phys. 40, 2490 (1969).
+Crushing is irreversible. From the ramp the material unloads with the sound speed $c_s$ to the density $\rho_r$, at which the pressure is
+zero ($\rho_{00}$ before any crushing), supports tension below it, and reloads along the same line. Once the pressure of the solid has
+exceeded the ramp, the pores are closed and the law of the solid holds from then on. A run keeps the compaction
+$(\rho_r - \rho_{00})/(\rho_s - \rho_{00})$ of every zone, 1 when closed.
+
+The temperature is that of the solid, at no less than its reference density. There is no entropy, because crushing at a pressure that does
+not depend on heat dissipates energy.
+
+Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.3; Thouvenin (1966), as reviewed by Herrmann, J. Appl. Phys. 40, 2490 (1969).
 """
 
 from typing import Any, NamedTuple
@@ -30,7 +37,7 @@ from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 
 
 class SnowPlough(NamedTuple):
-    """rho_solid and stiffness (c^2), of the base law at rest, and rho_rest, the density without pressure, are filled by `build`."""
+    """rho_solid and stiffness (c^2), of the solid's reference state, and rho_rest, the density at zero pressure, are filled by `build`."""
 
     base: Any
     rho_porous: float
@@ -65,7 +72,7 @@ def pressure_derivatives(rho, e, par):
 
 
 def _solid(rho, par):
-    """Density at which the solid inside the pores is evaluated: at rest until the pores are closed."""
+    """Density at which the solid inside the pores is evaluated: its reference density until the pores are closed."""
     return rho if _closed(par) or rho > par.rho_solid else par.rho_solid
 
 
@@ -94,7 +101,7 @@ def compacted(compaction, rho, e, p, par):
 
 
 def elastic_limit(par):
-    """Where the elastic line through the density at rest meets the ramp."""
+    """Where the elastic line through the density at zero pressure meets the ramp."""
     if _closed(par) or par.crush_pressure >= NO_LIMIT:
         return NO_LIMIT
     slope = par.crush_pressure / (par.rho_solid - par.rho_porous)
@@ -132,10 +139,10 @@ EOS.add(
     build=build,
     units={"base": "law", "rho_porous": "kg/m^3", "crush_pressure": "Pa", "rho_solid": "kg/m^3",
            "stiffness": "m^2/s^2", "rho_rest": "kg/m^3"},
-    meaning={"base": "law of the solid", "rho_porous": "density of the porous material at rest",
-             "crush_pressure": "pressure at which the pores have closed", "rho_solid": "rest density of the solid (filled by build)",
-             "stiffness": "square of the solid's sound speed at rest (filled by build)",
-             "rho_rest": "density without pressure after the history (filled by build)"},
+    meaning={"base": "equation of state of the solid", "rho_porous": "initial density of the porous material",
+             "crush_pressure": "pressure at which the pores have closed", "rho_solid": "reference density of the solid (filled by build)",
+             "stiffness": "square of the sound speed of the solid in its reference state (filled by build)",
+             "rho_rest": "density at zero pressure after the history (filled by build)"},
     box={"rho": (1650.0, 6000.0), "e": (0.0, 1e7)},
     flags=("remembers",),
     least={"crush_pressure": 0.0},

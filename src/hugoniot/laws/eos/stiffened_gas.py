@@ -1,13 +1,18 @@
 r"""Stiffened gas: an ideal gas under a constant internal pressure, for liquids.
 
-$$p = (\gamma - 1)\rho e - \gamma P_\infty, \qquad T = \frac{e - P_\infty/\rho}{c_v}, \qquad
-  s = c_v \ln\frac{T}{T_0} - (\gamma - 1)c_v\ln\frac{\rho}{\rho_0}$$
+$$p = (\gamma - 1)\rho e - \gamma P_\infty$$
 
-$P_\infty > 0$; the source writes it with the opposite sign, $p_\infty = -P_\infty$ (S-E8). The adiabatic exponent $\rho c^2/p$ is
-$\gamma(p + P_\infty)/p$ (S-E6), not $\gamma$. The temperature at rest, that is, at $\rho_0$ and zero pressure, is
-$T_0 = P_\infty/((\gamma - 1)\rho_0c_v)$.
+It is the simplest law with a liquid's sound speed, $c^2 = \gamma(p + P_\infty)/\rho$, and supports tensions up to $P_\infty$. Choose
+$\gamma$ and $P_\infty > 0$ to match $\rho_0$, $c_0$ and the initial slope $dU_s/du_p = (\gamma + 1)/4$ of the Hugoniot. The adiabatic
+exponent $\rho c^2/p$ is not $\gamma$ but $\gamma(p + P_\infty)/p$ (S-E6).
 
-Source: Starkenberg A-8.
+$$T = \frac{e - P_\infty/\rho}{c_v}, \qquad s = c_v \ln\frac{T}{T_0} - (\gamma - 1)c_v\ln\frac{\rho}{\rho_0}$$
+
+with a constant specific heat $c_v$. The temperature of the reference state (density $\rho_0$, zero pressure) follows from the other
+constants, $T_0 = P_\infty/[(\gamma - 1)\rho_0c_v]$, and is 126 K for the example: choose $c_v$ for a given $T_0$ where temperatures
+matter.
+
+Source: Starkenberg, ARL-TR-2161, A-8, with corrections S-E6, S-E7, S-E8 and S-E9. The source writes $p_\infty = -P_\infty$ (S-E8).
 """
 
 import math
@@ -70,9 +75,9 @@ EOS.add(
                reference_isentrope],
     example=StiffenedGas(4.4, 6e8, 1000.0, 1400.0),
     units={"gamma": "1", "p_infinity": "Pa", "rho0": "kg/m^3", "specific_heat": "J/kg/K"},
-    meaning={"gamma": "constant gamma of the law", "p_infinity": "internal pressure P_infinity (positive)",
-             "rho0": "density at rest, zero pressure",
-             "specific_heat": "specific heat at constant volume (for temperatures)"},
+    meaning={"gamma": "exponent of the law", "p_infinity": "internal pressure, positive",
+             "rho0": "reference density, at zero pressure",
+             "specific_heat": "specific heat at constant volume, needed for temperatures"},
     defaults={"rho0": 1000.0, "specific_heat": math.nan},
     box={"rho": (700.0, 3000.0), "e": (9e5, 2e7)},
     references=("Starkenberg, ARL-TR-2161, A-8 (corrected: S-E6, S-E7, S-E8, S-E9)",),

@@ -1,19 +1,20 @@
-r"""Tabulated equation of state p(rho, T), e(rho, T), bilinear, with inverse interpolation T(rho, e).
+r"""Tabulated equation of state: pressure and energy over density and temperature, for instance from a SESAME file.
 
-In each cell of (rho, T) both tables are bilinear. The temperature at (rho, e) is exact: the row is interpolated to rho and the cell found
-by bisection. With $e_T = \partial e/\partial T$ and so on,
+A deck gives the table itself, as in the example, or names a file (`file = "copper.h5"`, in CSV, HDF5 or SESAME format). In each cell of
+density and temperature both tables are bilinear. The temperature at given density and energy is found exactly, by bisection for the cell.
+With subscripts for derivatives of the table in $\rho$ and $T$,
 
-$$\frac{\partial p}{\partial e}\Big|_\rho = \frac{p_T}{e_T}, \; \frac{\partial p}{\partial\rho}\Big|_e = p_\rho - e_\rho\frac{p_T}{e_T}.$$
+$$\frac{\partial p}{\partial e}\Big|_\rho = \frac{p_T}{e_T}, \quad
+  \frac{\partial p}{\partial\rho}\Big|_e = p_\rho - e_\rho\frac{p_T}{e_T}.$$
 
-`build` refuses a table with a missing value, an unordered grid, an energy that does not rise with temperature (so that c_v > 0 everywhere)
-or, where the pressure is not negative, a cell corner with c^2 <= 0. With a least_sound_speed c_m such corners are accepted, and wherever
-c^2 < c_m^2 the slope p_rho is raised until c = c_m; pressures and energies remain those of the table.
+A table is refused if a value is missing, if a grid does not increase, if the energy does not rise with temperature (so that $c_v > 0$
+everywhere), or if $c^2 \le 0$ at a corner of a cell with $p \ge 0$. With `least_sound_speed` $c_m$ such corners are accepted: wherever
+$c^2 < c_m^2$ the slope $\partial p/\partial\rho$ is raised until $c = c_m$. Pressures and energies remain those of the table.
 
-`from_law` tabulates any law that has a temperature. Outside the grid
-the nearest cell is extrapolated; `check_state` refuses such states. The law has no entropy: bilinear p and e satisfy the identity
-$e_v = T p_T - p$ only to the resolution of the table, so no function s has ds = (de + p dv)/T exactly.
+Outside the grid a run extrapolates the nearest cell. The law has no entropy: bilinear tables satisfy the identity $e_v = Tp_T - p$, with
+$v = 1/\rho$, only to the resolution of the table. In Python `hugoniot.laws.eos.table.from_law` tabulates any law that has a temperature.
 
-Source: KB codes, section 3 (tables in density and temperature); Lyon and Johnson, LA-UR-92-3407 (SESAME 301).
+Source: KB codes, section 3 (tables in density and temperature); Lyon and Johnson, LA-UR-92-3407 (1992) (SESAME table 301).
 """
 
 import math
@@ -38,7 +39,7 @@ class UnsoundTable(OutOfRange):
 
 
 class Table(NamedTuple):
-    """density (n,), temperatures (m,), pressure_table and energy_table (n, m); the rest state (filled by `build`); lower bound of c."""
+    """density (n,), temperatures (m,), pressure_table and energy_table (n, m); reference state (filled by `build`); lower bound of c."""
 
     density: Any
     temperatures: Any
@@ -131,7 +132,7 @@ def build(density, temperatures, pressure_table, energy_table, rho0=math.nan, re
     """A checked table.
 
     density (n,) kg/m3 and temperatures (m,) K increasing; pressure_table (n, m) Pa and energy_table (n, m) J/kg, or flat lists of
-    n m numbers, temperature running fastest. The rest state is (rho0, reference_temperature); without rho0, the highest density at
+    n m numbers, temperature running fastest. The reference state is (rho0, reference_temperature); without rho0, the highest density at
     which the isotherm crosses zero pressure. least_sound_speed, m/s: see above; 0 refuses unstable corners. Raises OutOfRange with the
     place and the way out.
     """
@@ -150,7 +151,7 @@ def build(density, temperatures, pressure_table, energy_table, rho0=math.nan, re
     if not math.isfinite(rho0):
         rho0 = _rest_density(table, reference_temperature)
     if not rho[0] <= rho0 <= rho[-1]:
-        raise OutOfRange(f"table: the rest density {rho0:.6g} kg/m3 is outside the grid ({rho[0]:.6g} to {rho[-1]:.6g})")
+        raise OutOfRange(f"table: the reference density {rho0:.6g} kg/m3 is outside the grid ({rho[0]:.6g} to {rho[-1]:.6g})")
     return table._replace(rho0=float(rho0), e0=float(state_at(rho0, reference_temperature, table)[1]))
 
 
@@ -210,7 +211,7 @@ def _rest_density(table, temperature):
     p = np.array([state_at(r, temperature, table)[0] for r in table.density])
     up = np.flatnonzero((p[:-1] < 0.0) & (p[1:] >= 0.0))
     if not up.size:
-        raise OutOfRange(f"table: no density has zero pressure at {temperature:.6g} K; give rho0, the density at rest")
+        raise OutOfRange(f"table: no density has zero pressure at {temperature:.6g} K; give rho0, the reference density")
     i = up[-1]
     return table.density[i] - p[i] * (table.density[i + 1] - table.density[i]) / (p[i + 1] - p[i])
 
@@ -261,10 +262,11 @@ EOS.add(
     units={"density": "kg/m^3", "temperatures": "K", "pressure_table": "Pa", "energy_table": "J/kg", "rho0": "kg/m^3", "e0": "J/kg",
            "reference_temperature": "K", "least_sound_speed": "m/s"},
     meaning={"density": "densities of the grid", "temperatures": "temperatures of the grid",
-             "pressure_table": "pressures, row by density", "energy_table": "specific internal energies, row by density",
-             "rho0": "density at rest (default: zero pressure at the reference temperature)", "e0": "energy at rest (filled by build)",
-             "reference_temperature": "temperature at rest",
-             "least_sound_speed": "lower bound of the sound speed, where the table has less or none (0: such a table is refused)"},
+             "pressure_table": "pressures, at all temperatures for the first density, then for the next",
+             "energy_table": "specific internal energies in the same order",
+             "rho0": "reference density; by default the highest with zero pressure at the reference temperature",
+             "e0": "energy of the reference state (filled by build)", "reference_temperature": "temperature of the reference state",
+             "least_sound_speed": "lower bound of the sound speed where the table has less or none; with 0 such a table is refused"},
     defaults={"rho0": math.nan, "reference_temperature": 298.15, "least_sound_speed": 0.0},
     least={"least_sound_speed": 0.0},
     box={"rho": (2600.0, 4200.0), "e": (5e6, 2e7)},

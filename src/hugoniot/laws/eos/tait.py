@@ -1,13 +1,23 @@
-r"""Mie-Grüneisen liquid on a Tait curve.
+r"""Tait equation of state, for liquids.
 
-$$p = p_c(\rho) + \rho\Gamma\,(e - e_c(\rho)), \qquad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \qquad \mu = \rho/\rho_0 - 1$$
+It is a Mie-Grüneisen law whose reference isentrope is a Tait curve with pressure $p_c$ and energy $e_c$. With $\eta = 1 - \rho_0/\rho$,
+
+$$p = p_c(\rho) + \rho\Gamma\,[e - e_c(\rho)], \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_1\mu), \qquad \mu = \rho/\rho_0 - 1$$
 $$\eta = C\ln\left(1 + \frac{p_c}{B}\right) \;\Longleftrightarrow\; p_c = B\left(e^{\eta/C} - 1\right), \qquad
   e_c = \frac{B}{\rho_0}\left[C\left(e^{\eta/C} - 1\right) - \eta\right]$$
 
-The curve is taken as the isentrope through the rest state (e = 0, T0), so that $T = T_0\varphi + (e - e_c)/c_v$ with constant $c_v$ and
-$\ln\varphi = (\Gamma_0 - b)\eta - b\ln(1 - \eta)$, $\eta = 1 - \rho_0/\rho$. b = 0: rho Gamma constant; b = gamma0: Gamma constant.
+$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
+`gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused.
 
-Source: Tait 1888 in the form of Dymond and Malhotra 1988, Int. J. Thermophys. 9, 941 (natural logarithm).
+The curve is the isentrope through the reference state ($e = 0$, temperature $T_0$); its bulk modulus there is $B/C$. With a constant
+specific heat $c_v$,
+
+$$T = T_0\varphi + \frac{e - e_c}{c_v}, \qquad \ln\varphi = (\Gamma_0 - \Gamma_1)\,\eta - \Gamma_1\ln(1 - \eta).$$
+
+Use the logarithm as written: constants published for the decimal logarithm have another $C$. Constants from
+static experiments are valid up to the pressures of those experiments. Tensions on the curve stay below $B$.
+
+Source: Tait (1888) in the form of Dymond and Malhotra, Int. J. Thermophys. 9, 941 (1988).
 """
 
 import math
@@ -44,7 +54,7 @@ EOS.add(
     example=Tait(998.0, 0.2996e9, 0.1368, 0.12, 0.0, 4180.0),
     build=with_gamma_form(Tait),
     units={"rho0": "kg/m^3", "b": "Pa", "c": "1", **reference_curves.GAMMA_UNITS},
-    meaning={"rho0": "density at rest", "b": "pressure scale B", "c": "compression scale C (natural logarithm)",
+    meaning={"rho0": "reference density", "b": "pressure scale", "c": "compression scale, with the natural logarithm",
              **reference_curves.GAMMA_MEANING},
     defaults=reference_curves.GAMMA_DEFAULTS,
     box={"rho": (900.0, 2000.0), "e": (0.0, 3e6)},

@@ -1,15 +1,19 @@
-r"""Temperature with a general exponent: a specific heat that varies along isochores, added to any law with a constant one.
+r"""Specific heat that varies with temperature, added to a law with a constant one.
 
-$$T = T_0\varphi\left[1 + \frac{e - e_S(v)}{w\,c_{v0}T_0\varphi}\right]^w, \qquad
-  c_v = c_{v0}\left(\frac{T}{T_0\varphi}\right)^{(1-w)/w}, \qquad
-  s = w\,c_{v0}\,\frac{y^{1-w} - 1}{1-w}, \quad y = 1 + \frac{y_1 - 1}{w}, \quad y_1 = e^{s_1/c_{v0}}$$
+The pressure is that of the base law. The specific heat is a power of the temperature at constant volume:
 
-with $\varphi = T_S/T_0$ on the isentrope $e_S$ through the state at rest, and $s_1$, $T_1 = T_0\varphi y_1$ those of the base law (w = 1).
-This is the source's $T = (\Gamma_0T_0/f_S)\{[e - e_S(v; v_\infty, e_\infty)]f_S/RT_0\}^w$ with $\varphi = 1/f_S$; on its cold curve
-the bracket above vanishes. Temperature and specific heat at rest are those of the base. With w < 1 the specific heat grows on heating,
-which the source calls inconsistent with quantum statistics at high temperature. The pressure is that of the base.
+$$T = T_S\left[1 + \frac{e - e_S}{w\,c_{v0}T_S}\right]^w, \qquad c_v = c_{v0}\left(\frac{T}{T_S}\right)^{(1-w)/w}$$
 
-Source: Starkenberg A-4.
+$T_S(\rho)$ and $e_S(\rho)$ are temperature and energy on the isentrope of the base law through the reference state, $c_{v0}$ is its
+specific heat, and $w$ the exponent. $w = 1$ gives the base law, and $w < 1$ a specific heat that grows on heating. Temperature and
+specific heat in the reference state are those of the base law. With the entropy $s_1$ of the base law, zero in the reference state, the
+entropy is
+
+$$s = w\,c_{v0}\,\frac{y^{1-w} - 1}{1-w}, \qquad y = 1 + \frac{e^{s_1/c_{v0}} - 1}{w}.$$
+
+The source calls $w < 1$ inconsistent with quantum statistics at high temperature.
+
+Source: Starkenberg, ARL-TR-2161, A-4.
 """
 
 import math
@@ -65,7 +69,7 @@ def specific_heat(rho, e, par):
 
 
 def entropy(rho, e, par):
-    """Zero at the state at rest."""
+    """Zero in the reference state."""
     rho0, e0 = base_reference_state(par.base)
     logarithm = vlog(heating(rho, e, par)[0])
     rest = 1.0 - par.exponent
@@ -103,8 +107,8 @@ EOS.add(
     example=TemperaturePower(JWLProportional(77810e9, -5.031e9, 11.3, 1.13, 0.8938, 1717.0, 1000.0), 0.7),
     build=build,
     units={"base": "law", "exponent": "1"},
-    meaning={"base": "the law whose temperature is changed, with a constant specific heat",
-             "exponent": "w; with 1 the temperature is that of the base law"},
+    meaning={"base": "equation of state with a constant specific heat, which this law changes",
+             "exponent": "exponent of the temperature; 1 for that of the base law"},
     box={"rho": (1717.0, 2600.0), "e": (1e6, 5e6)},
     references=("Starkenberg, ARL-TR-2161, A-4",),
 )

@@ -1,12 +1,15 @@
-r"""Tension cut-off: any law that supports no more than a given tension.
+r"""Tension cut-off: any law, limited to a given tension.
 
 $$p(\rho, e) = \max\left[p_{\text{base}}(\rho, e),\; -p_{\text{cut}}\right]$$
 
-Where the cut-off acts both derivatives are 0 (and so is the sound speed if p_cut = 0): the stretched material is a spray of constant
-pressure. It recovers by recompression to the density at which the cut-off began. The temperature is that of the base law. There is no
-entropy, because that of the base law no longer satisfies T ds = de + p dv where the cut-off acts.
+Use it for liquids and fragmented material that cavitate or separate under tension, where a fracture law would be too detailed. Where the
+cut-off acts, both derivatives of the pressure and the sound speed are zero: the stretched material is a spray of constant pressure. It
+recovers on recompression to the density at which the cut-off began.
 
-Source: Wilkins B.2 (pressure limit of materials that spall); a minimum-pressure model as in every hydrocode.
+The temperature is that of the base law. There is no entropy, because that of the base law no longer satisfies $T\,ds = de + p\,dv$ where
+the cut-off acts.
+
+Source: Wilkins, B.2 (pressure limit of materials that spall).
 """
 
 from typing import Any, NamedTuple
@@ -75,7 +78,7 @@ EOS.add(
                particle_velocity_limit, smooth_piece, piece_coordinate],
     example=TensionCutoff(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 1e9),
     units={"base": "law", "tension": "Pa"},
-    meaning={"base": "the law whose tension is limited", "tension": "largest tension it supports (positive)"},
+    meaning={"base": "equation of state whose tension is limited", "tension": "largest tension, positive"},
     box={"rho": (2760.0, 6500.0), "e": (0.0, 2e7)},
     references=("Wilkins, B.2",),
 )

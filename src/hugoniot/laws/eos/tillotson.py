@@ -1,14 +1,18 @@
-r"""Tillotson equation of state: metals and rocks from rest to vapour.
+r"""Tillotson equation of state, for metals and rocks from the solid to the vapour of a hypervelocity impact.
 
-With $X = \rho/\rho_0$, $\mu = X - 1$, $\omega = e/(E_0X^2) + 1$:
+With $X = \rho/\rho_0$, $\mu = X - 1$ and $\omega = e/(E_0X^2) + 1$, compressed or cold material has
 
-$$p_1 = \left(a + \frac{b}{\omega}\right)\rho e + A\mu + B\mu^2 \qquad (X \ge 1 \text{ or } e \le E_{iv})$$
-$$p_3 = a\rho e + \left[\frac{b\rho e}{\omega} + A\mu\,e^{-\beta(1/X - 1)}\right]e^{-\alpha(1/X - 1)^2} \qquad (X < 1,\ e \ge E_{cv})$$
+$$p_1 = \left(a + \frac{b}{\omega}\right)\rho e + A\mu + B\mu^2 \qquad (X \ge 1 \text{ or } e \le E_{iv}),$$
 
-and for X < 1 between the two energies $p = [(e - E_{iv})p_3 + (E_{cv} - e)p_1]/(E_{cv} - E_{iv})$, continuous at every boundary.
-The theory gives only the pressure, hence neither temperature nor entropy. The law is not linear in the energy.
+expanded material hot enough to be vapour
 
-Source: Tillotson, General Atomic GA-3216 (1962); the interpolation as in Melosh, Impact Cratering (1989), App. II.
+$$p_3 = a\rho e + \left[\frac{b\rho e}{\omega} + A\mu\,e^{-\beta(1/X - 1)}\right]e^{-\alpha(1/X - 1)^2} \qquad (X < 1,\ e \ge E_{cv}),$$
+
+and between the energies of incipient and complete vaporisation $E_{iv}$ and $E_{cv}$, for $X < 1$,
+$p = [(e - E_{iv})p_3 + (E_{cv} - e)p_1]/(E_{cv} - E_{iv})$. The pressure is continuous at every boundary, but its slopes are not. The law
+is not linear in the energy, and it does not describe melting or the coexistence of liquid and vapour. The theory gives only the pressure.
+
+Source: Tillotson, General Atomic GA-3216 (1962); interpolation as in Melosh, Impact Cratering (1989), App. II.
 """
 
 import math
@@ -97,10 +101,11 @@ EOS.add(
     example=Tillotson(2700.0, 0.5, 1.63, 75.2e9, 65e9, 5.0, 5.0, 5e6, 3e6, 13.9e6),
     units={"rho0": "kg/m^3", "a": "1", "b": "1", "bulk_a": "Pa", "bulk_b": "Pa", "alpha": "1", "beta": "1", "e0": "J/kg",
            "e_incipient": "J/kg", "e_complete": "J/kg"},
-    meaning={"rho0": "density at rest", "a": "a, Grüneisen parameter of the hot gas", "b": "b, a + b is the Grüneisen parameter at rest",
-             "bulk_a": "A, bulk modulus at rest", "bulk_b": "B, quadratic coefficient", "alpha": "decay of the condensed terms in vapour",
-             "beta": "decay of the cold term in vapour", "e0": "E0, energy scale of b", "e_incipient": "energy of incipient vaporisation",
-             "e_complete": "energy of complete vaporisation"},
+    meaning={"rho0": "reference density", "a": "Grüneisen parameter of the hot gas",
+             "b": "Grüneisen parameter in the reference state minus `a`", "bulk_a": "bulk modulus in the reference state",
+             "bulk_b": "quadratic coefficient", "alpha": "decay of the condensed terms in expansion",
+             "beta": "decay of the cold pressure in expansion", "e0": "energy scale of `b`",
+             "e_incipient": "energy of incipient vaporisation", "e_complete": "energy of complete vaporisation"},
     box={"rho": (2400.0, 7000.0), "e": (0.0, 5e7)},
     above={"e0": 0.0, "e_incipient": 0.0, "e_complete": 0.0},
     least={"alpha": 0.0, "beta": 0.0},

@@ -1,13 +1,23 @@
-r"""Mie-Grüneisen solid on a Vinet curve.
+r"""Vinet equation of state, for solids under strong static compression.
 
-$$p = p_c(\rho) + \rho\Gamma\,(e - e_c(\rho)), \qquad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \qquad \mu = \rho/\rho_0 - 1$$
+It is a Mie-Grüneisen law whose reference isentrope is a Vinet curve with pressure $p_c$ and energy $e_c$:
+
+$$p = p_c(\rho) + \rho\Gamma\,[e - e_c(\rho)], \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_1\mu), \qquad \mu = \rho/\rho_0 - 1$$
 $$p_c = 3K_0\frac{1 - X}{X^2}e^{\zeta(1-X)}, \quad e_c = \frac{9K_0}{\rho_0\zeta^2}\left\{1 + [\zeta(1-X) - 1]e^{\zeta(1-X)}\right\},
   \quad X = (\rho_0/\rho)^{1/3}, \; \zeta = \tfrac32(K_0' - 1)$$
 
-The curve is taken as the isentrope through the rest state (e = 0, T0), so that $T = T_0\varphi + (e - e_c)/c_v$ with constant $c_v$ and
-$\ln\varphi = (\Gamma_0 - b)\eta - b\ln(1 - \eta)$, $\eta = 1 - \rho_0/\rho$. b = 0: rho Gamma constant; b = gamma0: Gamma constant.
+$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
+`gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused.
 
-Source: Vinet, Ferrante, Rose and Smith 1987.
+The curve is the isentrope through the reference state ($e = 0$, temperature $T_0$), so $K_0$ is the isentropic bulk modulus
+(static compression gives the isothermal one). With a constant specific heat $c_v$,
+
+$$T = T_0\varphi + \frac{e - e_c}{c_v}, \quad
+  \ln\varphi = (\Gamma_0 - \Gamma_1)\,\eta - \Gamma_1\ln(1 - \eta), \quad \eta = 1 - \rho_0/\rho.$$
+
+The curve has a greatest tension (copper: 18 GPa at $0.72\,\rho_0$), beyond which the sound speed on it is no longer real.
+
+Source: Vinet, Ferrante, Rose and Smith, J. Geophys. Res. 92, 9319 (1987).
 """
 
 import math
@@ -48,8 +58,8 @@ EOS.add(
     example=Vinet(8930.0, 137e9, 5.48, 1.99, 0.0, 385.0),
     build=with_gamma_form(Vinet),
     units={"rho0": "kg/m^3", "bulk_modulus": "Pa", "bulk_modulus_slope": "1", **reference_curves.GAMMA_UNITS},
-    meaning={"rho0": "density at rest",
-             "bulk_modulus": "bulk modulus at rest", "bulk_modulus_slope": "its pressure derivative at rest (not 1)",
+    meaning={"rho0": "reference density", "bulk_modulus": "bulk modulus in the reference state",
+             "bulk_modulus_slope": "pressure derivative of the bulk modulus in the reference state, not 1",
              **reference_curves.GAMMA_MEANING},
     defaults=reference_curves.GAMMA_DEFAULTS,
     box={"rho": (7600.0, 20000.0), "e": (0.0, 1e7)},

@@ -1,17 +1,20 @@
-r"""Mie-Grüneisen solid as a cubic in strain, the form used in the KO codes (rho Gamma constant, linear shock velocity).
+r"""Mie-Grüneisen equation of state as a cubic in strain, as in Wilkins' KO codes.
 
-$$p = k_1x + k_2x^2 + k_3x^3 + \Gamma_0\rho_0e, \qquad x = 1 - \rho_0/\rho, \qquad k_2 = 0 \text{ for } x < 0$$
-$$k_1 = \rho_0c_0^2, \quad k_2 = k_1\left(2s - \tfrac12\Gamma_0\right), \quad k_3 = k_1s\,(3s - \Gamma_0)$$
+It is included so that decks of those codes give the same numbers. In new decks use `mie_gruneisen`, of which this is the expansion about
+the reference state:
 
-This is the expansion of `mie_gruneisen` about the reference state. In compression its Hugoniot lies below the one it was derived from
-(copper: by 1 % at a strain of 0.1, 16 % at 0.3). It is included so that decks of those codes give the same numbers; use
-`mie_gruneisen` in new decks.
-Temperature (constant $c_v$): $T = T_0e^{\Gamma_0x} + (e - e_S)/c_v$ with the isentrope through the reference state,
+$$p = k_1x + k_2x^2 + k_3x^3 + \Gamma_0\rho_0e, \qquad x = 1 - \rho_0/\rho, \qquad k_2 = 0 \text{ for } x < 0,$$
+$$k_1 = \rho_0c_0^2, \quad k_2 = k_1\left(2s - \tfrac12\Gamma_0\right), \quad k_3 = k_1s\,(3s - \Gamma_0).$$
+
+In compression its Hugoniot lies below the linear one it was derived from (copper: by 0.6 % in pressure at a strain of 0.1, 16 % at 0.3).
+
+With a constant specific heat $c_v$ the temperature is $T = T_0e^{\Gamma_0x} + (e - e_S)/c_v$ with the isentrope through the reference
+state
 
 $$\rho_0e_S = \sum_{n=1}^3 k_nJ_n, \qquad J_n = \int_0^x y^n e^{\Gamma_0(x-y)}\,dy = \frac{\Gamma_0J_{n+1} + x^{n+1}}{n+1}, \qquad
-  J_3 = x^4\sum_{m\ge0}\frac{3!\,(\Gamma_0x)^m}{(m+4)!}$$
+  J_3 = x^4\sum_{m\ge0}\frac{3!\,(\Gamma_0x)^m}{(m+4)!}.$$
 
-Source: Wilkins, Computer Simulation of Dynamic Phenomena (1999), eq. 3.58; the same coefficients as in Jordan's eq. 7.1.31.
+Source: Wilkins, Computer Simulation of Dynamic Phenomena (1999), eq. 3.58; same coefficients in Jordan (2011), eq. 7.1.31.
 """
 
 import math
@@ -97,9 +100,10 @@ EOS.add(
                reference_isentrope],
     example=WilkinsCubic(8930.0, 3900.0, 1.49, 1.99, 385.0),
     units={"rho0": "kg/m^3", "c0": "m/s", "s": "1", "gamma0": "1", "specific_heat": "J/kg/K", "reference_temperature": "K"},
-    meaning={"rho0": "density at rest", "c0": "intercept of the linear shock velocity", "s": "its slope",
-             "gamma0": "Grüneisen parameter at rest", "specific_heat": "specific heat at constant volume (for temperatures)",
-             "reference_temperature": "temperature at rest"},
+    meaning={"rho0": "reference density", "c0": "shock velocity at zero particle velocity", "s": "slope of the Hugoniot, dUs/dup",
+             "gamma0": "Grüneisen parameter at the reference density",
+             "specific_heat": "specific heat at constant volume, needed for temperatures",
+             "reference_temperature": "temperature of the reference state"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
     box={"rho": (8000.0, 14000.0), "e": (0.0, 5e6)},
     references=("Wilkins, Computer Simulation of Dynamic Phenomena (1999), eq. 3.58", "Jordan, eq. 7.1.31"),
