@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 from law_pictures import draw
-from law_words import FAMILIES, GROUPS, MATERIALS, OWN_SYMBOLS, QUANTITIES, SYMBOLS, WRITTEN
+from law_words import CAPTIONS, FAMILIES, GROUPS, MATERIALS, OWN_SYMBOLS, QUANTITIES, SYMBOLS, WRITTEN
 
 import hugoniot.laws.burn
 import hugoniot.laws.eos
@@ -48,8 +48,8 @@ def parameters(law) -> list[str]:
     """Parameters in a deck: symbols of the equations where they are known, units, defaults and meanings."""
     names, needed = accepted(law)
     symbols = {**SYMBOLS, **OWN_SYMBOLS.get(law.name, {})} if law.family == "eos" else {}
-    rows = []
-    for name in sorted(names, key=lambda n: n not in needed):
+    rows, order = [], law.parameters._fields
+    for name in sorted(names, key=lambda n: (n not in needed, order.index(n) if n in order else len(order))):
         default, unit = law.defaults.get(name), law.units.get(name, "1")
         shown = "required" if name in needed else "optional" if default is None or default != default \
             else f"`{default:.6g}`" if type(default) is float else f"`{default}`"
@@ -72,29 +72,31 @@ def validity(law) -> list[str]:
     """The limits of an equation of state, and the box of states in which any law is tested with its example."""
     box = [(*QUANTITIES.get(f"{law.family}.{key}", QUANTITIES.get(key)), *ends) for key, ends in law.box.items()]
     if law.family == "eos":
-        ranges = " and ".join(f"{name} from {plain(low * factor)} to {plain(high * factor)} {unit}" for name, unit, factor, low, high in box)
-        return ["## Limits", "", *limits(law), f"The law is tested with these parameters for {ranges}.", ""]
+        (low, high), (cold, hot) = law.box["rho"], law.box["e"]
+        ranges = f"densities from {plain(low)} to {plain(high)} kg/m³ and energies from {plain(cold * 1e-6)} to {plain(hot * 1e-6)} MJ/kg"
+        shown = [] if "energy_limits" in law.functions else [f"The law is tested with these parameters for {ranges}.", ""]
+        return ["## Limits", "", *limits(law), *shown]
     rows = [(f"{name} ({unit})" if unit else name, plain(low * factor), plain(high * factor)) for name, unit, factor, low, high in box]
     lines = ["## Tested range", "", "The law is tested with the parameters of the example for these states:", ""]
     return [*lines, *table(["quantity", "from", "to"], rows)] if rows else []
 
 
+def rounded(value: float) -> str:
+    return f"{float(f'{value:.4g}'):g}"
+
+
 def limits(law) -> list[str]:
     """Where the formulas of the example end, what happens beyond, and which of temperature and entropy the law gives."""
-    par = law.example
-    low, high = density_limits(par)
-    fastest = particle_velocity_limit(par)
-    least = f"above {low:.4g}" if low > 0.0 else ""
-    most = f"below {high:.5g}" if high < np.inf else ""
+    low, high = density_limits(law.example)
+    fastest = particle_velocity_limit(law.example)
+    least, most = f"above {rounded(low)}" if low > 0.0 else "", f"below {rounded(high)}" if high < np.inf else ""
     ends = f"for densities {' and '.join(filter(None, (least, most)))} kg/m³" if least or most else "at any density"
-    lines = [f"With the parameters of the example the formulas are defined {ends}"
-             + (", for the energies in the table," if "energy_limits" in law.functions else "")
-             + " where the sound speed is real ($c^2 > 0$)."]
+    where = "inside its table" if "energy_limits" in law.functions else f"{ends} with these parameters"
+    lines = [f"The law is defined {where}, wherever the sound speed is real ($c^2 > 0$)."]
     if np.isfinite(fastest):
-        lines.append(f"Its Hugoniot ends at a particle velocity of {fastest:.4g} m/s.")
-    lines.append("These are limits of the formulas, not of the data behind the parameters. The command-line tools refuse a state outside "
-                 "them with an error that states the limit. A run does not start outside them, and it stops when the sound speed of a zone "
-                 "is no longer real.")
+        lines.append(f"Its Hugoniot ends at a particle velocity of {rounded(fastest)} m/s.")
+    lines.append("These are limits of the formulas, not of the data behind the parameters. A state outside is refused with an error that "
+                 "states the limit.")
     return [" ".join(lines), "", temperature(law), ""]
 
 
@@ -188,7 +190,7 @@ def page(law, picture: str | None) -> str:
     text, source = text_and_source(law)
     lines = [f"# {law.name}", "", f"**{law.summary}**", "", text, ""]
     if picture:
-        lines += [f"![{law.name}: the example]({picture})", ""]
+        lines += [f"![{law.name}: the example]({picture})", "", CAPTIONS.get(law.name, ""), ""]
     lines += ["## Parameters", "", *parameters(law), *example(law), *validity(law), *references(law, source)]
     return "\n".join(lines)
 

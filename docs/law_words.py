@@ -6,7 +6,9 @@ FAMILIES = {
             "An equation of state gives the pressure of a material as a function of its density $\\rho$ and specific internal energy $e$. "
             "Choose one for each material: `law = \"...\"` in the table `[material.NAME.eos]` of a deck. Its *reference state* is the "
             "density $\\rho_0$ at zero pressure and the temperature $T_0$; a gas has the pressure of that density and temperature, and "
-            "detonation products are referred to the density and energy of the unreacted explosive."),
+            "detonation products are referred to the density and energy of the unreacted explosive.\n\n"
+            "Each page states the limits of its formulas. The command-line tools refuse a state outside them with an error that states the "
+            "limit. A run does not start outside them, and it stops when the sound speed of a zone is no longer real."),
     "strength": ("Strength",
                  "A strength law gives the shear modulus and the flow stress of a solid: `law = \"...\"` in the table "
                  "`[material.NAME.strength]` of a deck."),
@@ -81,12 +83,13 @@ MATERIALS = {
     "strength": "copper", "fracture": "aluminium", "burn": "explosive", "eos": "aluminium",
     "steinberg_guinan": "aluminium", "herrmann": "aluminium", "ignition_growth": "lx_17",
     "birch_murnaghan": "iron", "davis_products": "pbx_9502", "davis_reactants": "pbx_9502", "grain_contact": "silica_powder",
-    "ideal_gas": "air", "jwl": "tnt", "jwl_proportional": "comp_b", "jwl_unreacted": "lx_17", "mie_gruneisen_cold": "copper",
+    "ideal_gas": "air", "jwl": "tnt", "jwl_proportional": "explosive", "jwl_unreacted": "lx_17", "mie_gruneisen_cold": "copper",
     "mie_gruneisen_cold_series": "copper", "mie_gruneisen_cubic": "lead", "mie_gruneisen_quadratic": "iron", "nonideal_gas": "explosive",
     "p_alpha": "porous_aluminium", "p_lambda": "porous_aluminium", "power_law": "air", "shock_energy": "explosive",
-    "snow_plough": "porous_aluminium", "stiffened_gas": "water", "tait": "water", "temperature_power": "comp_b", "vinet": "copper",
+    "snow_plough": "porous_aluminium", "stiffened_gas": "water", "tait": "water", "temperature_power": "explosive", "vinet": "copper",
     "wilkins_cubic": "copper",
 }
+CAPTIONS = {"table": "A coarse table made from an aluminium with the law `mie_gruneisen`."}
 # decks of laws whose parameters do not keep what a deck gives
 WRITTEN = {
     "mie_gruneisen_cold_series": ('[material.copper.eos]', 'law = "mie_gruneisen_cold_series"', 'rho0 = "8930 kg/m^3"', 'c0 = "3940 m/s"',
