@@ -78,7 +78,7 @@ def validity(law) -> list[str]:
         return ["## Limits", "", *limits(law), *shown]
     rows = [(f"{name} ({unit})" if unit else name, plain(low * factor), plain(high * factor)) for name, unit, factor, low, high in box]
     lines = ["## Tested range", "", "The law is tested with the parameters of the example for these states:", ""]
-    return [*lines, *table(["quantity", "from", "to"], rows)] if rows else []
+    return [*lines, *table(["quantity", "from", "to"], rows)] if rows and accepted(law)[0] else []
 
 
 def rounded(value: float) -> str:
@@ -117,7 +117,7 @@ def temperature(law) -> str:
 def quantity(value: float, unit: str) -> str:
     """A value with its unit, in a larger common unit where no digits are lost."""
     shown = format_si(value, unit, 8)
-    return shown if "kg/m3" not in shown and parse(shown, unit) == value else f"{value:.10g} {unit}"
+    return shown if "kg/m3" not in shown and not shown.startswith("0.00") and parse(shown, unit) == value else f"{value:.10g} {unit}"
 
 
 def settings(law, par) -> tuple[list[str], list[tuple[str, object]]] | None:
@@ -178,7 +178,8 @@ def text_and_source(law) -> tuple[str, str]:
 def references(law, source: str) -> list[str]:
     """The source as the law's file states it, and the registered references it does not name."""
     others = [r for r in law.references if re.split(r"[ ,]", r)[0] not in source]
-    lines = ["## References", "", *([f"{source}", ""] if source else []), *(f"* {cell(r)}" for r in others), ""]
+    begun = source if source.startswith("von ") else source[:1].upper() + source[1:]
+    lines = ["## References", "", *([begun, ""] if begun else []), *(f"* {cell(r)}" for r in others), *([""] if others else [])]
     if DOCUMENTS.search("\n".join([source, *others, inspect.cleandoc(law.module.__doc__ or "")])):
         lines += ["The documents by Wilkins, Herrmann, Starkenberg and Jordan, the manual of the KB codes, and the errors found in them "
                   "(labels such as J-E8) are listed under [source errors](../../../theory/source_errors.md).", ""]
@@ -190,7 +191,7 @@ def page(law, picture: str | None) -> str:
     text, source = text_and_source(law)
     lines = [f"# {law.name}", "", f"**{law.summary}**", "", text, ""]
     if picture:
-        lines += [f"![{law.name}: the example]({picture})", "", CAPTIONS.get(law.name, ""), ""]
+        lines += [f"![{law.name}: the example]({picture})", "", *([CAPTIONS[law.name], ""] if law.name in CAPTIONS else [])]
     lines += ["## Parameters", "", *parameters(law), *example(law), *validity(law), *references(law, source)]
     return "\n".join(lines)
 

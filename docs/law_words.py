@@ -27,10 +27,12 @@ FAMILIES = {
                 "in the table `[material.NAME]` of a deck. See [mixtures of reactants and products](../theory/mixtures.md)."),
     "transport": ("Physical viscosity",
                   "Shear viscosity of a fluid, for the structure of a shock and for the solver `lagrange1d`: "
-                  "`viscosity = {law = \"...\", ...}` in the table `[transport.NAME]` of a deck, where NAME is a material."),
+                  "`viscosity = {law = \"...\", ...}` in the table `[transport.NAME]` of a deck, where NAME is a material, or in "
+                  "`[solver.transport]` for the solver `shock_structure`."),
     "conduction": ("Heat conduction",
                    "Heat conductivity of a material, for the structure of a shock and for the solver `lagrange1d`: "
-                   "`conduction = {law = \"...\", ...}` in the table `[transport.NAME]` of a deck, where NAME is a material."),
+                   "`conduction = {law = \"...\", ...}` in the table `[transport.NAME]` of a deck, where NAME is a material, or in "
+                   "`[solver.transport]` for the solver `shock_structure`."),
 }
 # of the equations of state; a law that is not named here is listed under the last title
 GROUPS = {
@@ -81,7 +83,8 @@ OWN_SYMBOLS = {
 # law: name of the material in its example; else that of the family
 MATERIALS = {
     "strength": "copper", "fracture": "aluminium", "burn": "explosive", "eos": "aluminium",
-    "steinberg_guinan": "aluminium", "herrmann": "aluminium", "ignition_growth": "lx_17",
+    "constant_poisson": "aluminium", "perfectly_plastic": "aluminium", "steinberg_guinan": "aluminium", "herrmann": "aluminium",
+    "ignition_growth": "lx_17",
     "birch_murnaghan": "iron", "davis_products": "pbx_9502", "davis_reactants": "pbx_9502", "grain_contact": "silica_powder",
     "ideal_gas": "air", "jwl": "tnt", "jwl_proportional": "explosive", "jwl_unreacted": "lx_17", "mie_gruneisen_cold": "copper",
     "mie_gruneisen_cold_series": "copper", "mie_gruneisen_cubic": "lead", "mie_gruneisen_quadratic": "iron", "nonideal_gas": "explosive",
