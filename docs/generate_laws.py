@@ -151,14 +151,15 @@ def deck_lines(law, par, where: str) -> list[str] | None:
 
 def example(law) -> list[str]:
     """The registered example, as a deck writes it."""
-    material, family = MATERIALS.get(law.name, MATERIALS.get(law.family, "air")), law.family
+    family = law.family
+    material = MATERIALS.get(law.name, MATERIALS.get(family))
     if family == "mixture":
         lines = [f"[material.{MATERIALS['burn']}]", f'mixture = "{law.name}"',
                  "# products: the table `eos`; reactants: the table `unreacted`; detonation_energy: a key here"]
     elif family in ("transport", "conduction"):
         found = settings(law, law.example)
         key = "viscosity" if family == "transport" else family
-        lines = [f"[transport.{material}]", f"{key} = {{{', '.join(found[0])}}}"] if found else None
+        lines = ["[transport.argon]", f"{key} = {{{', '.join(found[0])}}}"] if found else None
     else:
         where = "solver.viscosity" if family == "viscosity" else f"material.{material}.{family}"
         lines = WRITTEN[law.name] if law.name in WRITTEN else deck_lines(law, law.example, where)

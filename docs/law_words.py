@@ -24,7 +24,7 @@ FAMILIES = {
              "the table `[material.NAME.burn]` of a deck."),
     "mixture": ("Mixtures",
                 "A mixture law gives the state of reactants and products that share a zone while the explosive burns: `mixture = \"...\"` "
-                "in the table `[material.NAME]` of a deck. See [mixtures of reactants and products](../theory/mixtures.md)."),
+                "in the table `[material.NAME]` of a deck. See [mixtures of reactants and products](../../theory/mixtures.md)."),
     "transport": ("Physical viscosity",
                   "Shear viscosity of a fluid, for the structure of a shock and for the solver `lagrange1d`: "
                   "`viscosity = {law = \"...\", ...}` in the table `[transport.NAME]` of a deck, where NAME is a material, or in "

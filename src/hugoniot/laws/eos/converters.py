@@ -1,11 +1,11 @@
-r"""From other forms of data to Herrmann's series: coefficients of p_H, of rho Gamma and of the whole law.
+r"""Coefficients of Herrmann's series from other forms of shock data.
 
-A Hugoniot is written $p_H = k_0'\eta\,(1 + k_1'\eta + k_2'\eta^2 + \dots)$, $\eta = 1 - \rho_0/\rho$ (C.4).
-The functions below give $(k_0', k_1', k_2')$ from the usual fits. `series` combines them with
-$\Gamma = \Gamma_0(1 + \gamma_1\eta + \gamma_2\eta^2 + \gamma_3\eta^3)$ (C.13) to the law herrmann_series (C.16).
-`wilkins_cubic` gives the cubic Mie-Grüneisen form of the KO codes.
+Herrmann writes a Hugoniot as $p_H = k_0'\eta\,(1 + k_1'\eta + k_2'\eta^2 + \dots)$ with the compression $\eta = 1 - \rho_0/\rho$ (C.4).
+The functions below give $(k_0', k_1', k_2')$ from the usual fits. `series` combines them with the Grüneisen parameter
+$\Gamma = \Gamma_0(1 + \gamma_1\eta + \gamma_2\eta^2 + \gamma_3\eta^3)$ (C.13) into parameters of the law `herrmann_series` (C.16).
+`wilkins_cubic` gives the cubic Mie-Grüneisen form of Wilkins' KO codes.
 
-Source: Herrmann C.4 to C.16, with C.11 corrected (H-E6); C.17 corrected (H-E5) in `elastic_wave_speed`.
+Source: Herrmann, WL-TR-64-107, C.4 to C.16, with C.11 corrected (H-E6); `elastic_wave_speed` is C.17, corrected (H-E5).
 """
 
 import math
