@@ -190,6 +190,8 @@ def references(law, source: str) -> list[str]:
 def page(law, picture: str | None) -> str:
     """The page of one law."""
     text, source = text_and_source(law)
+    if law.family == "eos":
+        text = re.sub(r"`(\w+)`", lambda m: f"[{m[0]}]({m[1]}.md)" if m[1] in EOS.names() and m[1] != law.name else m[0], text)
     lines = [f"# {law.name}", "", f"**{law.summary}**", "", text, ""]
     if picture:
         lines += [f"![{law.name}: the example]({picture})", "", *([CAPTIONS[law.name], ""] if law.name in CAPTIONS else [])]
