@@ -1,11 +1,14 @@
-r"""Elastic-perfectly plastic with a constant Poisson ratio: the shear modulus is proportional to the bulk modulus.
+r"""Elastic-perfectly plastic solid with a constant Poisson ratio: the shear modulus is proportional to the bulk modulus.
 
 $$G = \frac{3\,(1 - 2\nu)}{2\,(1 + \nu)}\,K, \qquad Y = Y_0$$
 
-K is the isentropic bulk modulus of the equation of state, so the ratio of longitudinal to bulk sound speed is
-fixed: $c_L^2 / c_b^2 = 3(1-\nu)/(1+\nu)$. With nu = 1/3, c_L^2 = 1.5 K/rho.
+* $G$: shear modulus; $Y$: flow stress in uniaxial stress
+* $K$: isentropic bulk modulus of the equation of state, at the current density and energy
+* $\nu$: Poisson ratio, `poisson_ratio`
+* $Y_0$: yield stress, `yield_stress`
 
-Source: isotropic linear elasticity; Herrmann WL-TR-64-107, appendix C.1 (nu near 1/3).
+Use it where only the Poisson ratio is known: the material stiffens in shear as it does in bulk. The ratio of the longitudinal
+sound speed $c_L$ to the bulk sound speed $c_b$ is then constant, $c_L^2/c_b^2 = 3(1-\nu)/(1+\nu)$, which is 1.5 for $\nu = 1/3$.
 """
 
 from typing import NamedTuple
@@ -40,9 +43,9 @@ STRENGTH.add(
     example=ConstantPoisson(0.33, 0.3e9),
     build=build,
     units={"poisson_ratio": "1", "yield_stress": "Pa"},
-    meaning={"poisson_ratio": "Poisson ratio, constant", "yield_stress": "uniaxial stress at yield, constant"},
+    meaning={"poisson_ratio": "Poisson ratio", "yield_stress": "flow stress in uniaxial stress"},
     box={"rho": (2000.0, 5000.0), "p": (-5e9, 1e11), "temperature": (0.0, 1e4), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
-    references=("Herrmann, WL-TR-64-107, appendix C.1 with C.17 corrected (H-E5)",),
+    references=("Herrmann, WL-TR-64-107 (1964), appendix C.1, with C.17 corrected (H-E5)",),
     flags=("needs_bulk_modulus",),
 )

@@ -1,10 +1,14 @@
-r"""Elastic-perfectly plastic with a shear modulus that is a power series in the compression.
+r"""Elastic-perfectly plastic solid whose shear modulus is a cubic in the compression.
 
 $$G = g_0\,\left(1 + g_1 x + g_2 x^2 + g_3 x^3\right), \qquad x = 1 - \rho_0/\rho, \qquad Y = Y_0$$
 
-Source: Herrmann WL-TR-64-107, equations A.17 ff. and B.28. His compression eta is x here: it is (rho - rho0)/rho by the definition under
-C.4 and by the factor (1 - eta) in the derivatives under A.14. The report's aluminium has g0 = 286 kb, g1 = 5.86, g2 = 8.44, g3 = 0, Y =
-2.76 kb, rho0 = 2.78 g/cm3 (section VI; 2.73 kb in one place, H-E10).
+* $G$: shear modulus; $Y$: flow stress in uniaxial stress
+* $\rho_0$: reference density, `rho0`; $x$: compression
+* $g_0$: shear modulus at $\rho_0$, `g0`; $g_1, g_2, g_3$: coefficients, `g1`, `g2`, `g3`
+* $Y_0$: yield stress, `yield_stress`
+
+The example is the aluminium of Herrmann's report (section VI). The report gives its yield stress as 0.276 GPa, and in one place as
+0.273 GPa (H-E10).
 """
 
 from typing import NamedTuple
@@ -35,10 +39,10 @@ STRENGTH.add(
     functions=[shear_modulus, flow_stress],
     example=Herrmann(2780.0, 28.6e9, 5.86, 8.44, 0.0, 0.276e9),
     units={"rho0": "kg/m^3", "g0": "Pa", "g1": "1", "g2": "1", "g3": "1", "yield_stress": "Pa"},
-    meaning={"rho0": "density at zero compression", "g0": "shear modulus at zero compression",
-             "g1": "first coefficient of the compression series", "g2": "second coefficient of the compression series",
-             "g3": "third coefficient of the compression series", "yield_stress": "uniaxial stress at yield, constant"},
+    meaning={"rho0": "reference density", "g0": "shear modulus at the reference density",
+             "g1": "coefficient of the compression", "g2": "coefficient of the square of the compression",
+             "g3": "coefficient of the cube of the compression", "yield_stress": "flow stress in uniaxial stress"},
     box={"rho": (2500.0, 4500.0), "p": (-5e9, 1e11), "temperature": (0.0, 1e4), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
-    references=("Herrmann, WL-TR-64-107, equations A.17 ff. and B.28",),
+    references=("Herrmann, WL-TR-64-107 (1964), equations A.17 ff. and B.28, with the compression of C.4",),
 )

@@ -1,13 +1,16 @@
-r"""Johnson-Cook: flow stress as a product of hardening, rate and thermal softening.
+r"""Johnson-Cook: flow stress as a product of strain hardening, rate hardening and thermal softening.
 
-$$Y = \left(A + B\,\varepsilon_p^{\,n}\right)\left(1 + C \ln\dot\varepsilon^*\right)\left(1 - T^{*m}\right), \qquad
-  \dot\varepsilon^* = \dot\varepsilon/\dot\varepsilon_0, \qquad T^* = \frac{T - T_{room}}{T_{melt} - T_{room}}$$
+$$Y = \left(A + B\,\varepsilon_p^{\,n}\right)\left(1 + C \ln\frac{\dot\varepsilon}{\dot\varepsilon_0}\right)\left(1 - T^{*m}\right),
+  \qquad T^* = \frac{T - T_r}{T_m - T_r}, \qquad G = G_0$$
 
-The rate factor is 1 below the reference rate (where the law was never fitted, and the logarithm would soften the material without
-bound as the rate goes to zero). The thermal factor is 1 below T_room, and the flow stress is 0 above T_melt.
-The shear modulus is constant; it does not vanish in the melt, because the law does not describe it.
+* $Y$: flow stress in uniaxial stress; $G$: shear modulus, constant, `shear_modulus`
+* $A$, $B$, $n$: `yield_stress`, `hardening_coefficient`, `hardening_exponent`; $\varepsilon_p$: accumulated equivalent plastic strain
+* $C$: `rate_coefficient`; $\dot\varepsilon$: equivalent strain rate; $\dot\varepsilon_0$: `reference_rate`
+* $m$: `thermal_exponent`; $T_r$, $T_m$: `room_temperature`, `melt_temperature`; $T$: temperature of the equation of state
 
-Source: Johnson & Cook, Proc. 7th Int. Symp. on Ballistics (1983) 541, equation 1; example: OFHC copper, table 1 there.
+The rate factor is 1 below the reference rate, for which the law was not fitted. The thermal factor is 1 below $T_r$ and 0 above $T_m$.
+The shear modulus stays constant above $T_m$, because the law does not describe it. The equation of state must give a temperature.
+The example is OFHC copper.
 """
 
 from typing import NamedTuple
@@ -66,20 +69,20 @@ STRENGTH.add(
         "rate_coefficient": "1", "thermal_exponent": "1", "room_temperature": "K", "melt_temperature": "K", "reference_rate": "1/s",
     },
     meaning={
-        "shear_modulus": "shear modulus, constant",
-        "yield_stress": "A, flow stress at first yield, room temperature and reference rate",
-        "hardening_coefficient": "B, coefficient of the hardening power law",
-        "hardening_exponent": "n, exponent of the hardening power law",
-        "rate_coefficient": "C, coefficient of the logarithm of the strain rate",
+        "shear_modulus": "shear modulus",
+        "yield_stress": "A, flow stress at first yield at room temperature and the reference rate",
+        "hardening_coefficient": "B, coefficient of strain hardening",
+        "hardening_exponent": "n, exponent of strain hardening",
+        "rate_coefficient": "C, coefficient of rate hardening",
         "thermal_exponent": "m, exponent of thermal softening",
         "room_temperature": "temperature below which there is no thermal softening",
         "melt_temperature": "temperature at which the flow stress vanishes",
-        "reference_rate": "strain rate of the fit, below which the rate has no effect",
+        "reference_rate": "reference strain rate, below which the rate has no effect",
     },
     defaults={"reference_rate": 1.0},
     box={"rho": (8000.0, 14000.0), "p": (-5e9, 1e11), "temperature": (0.0, 3000.0), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
     least={"hardening_coefficient": 0.0, "hardening_exponent": 0.0, "rate_coefficient": 0.0, "thermal_exponent": 0.0},
-    references=("Johnson & Cook, Proc. 7th Int. Symp. on Ballistics (1983) 541, equation 1, table 1",),
+    references=("Johnson & Cook, Proc. 7th Int. Symp. on Ballistics (1983) 541, equation 1 and table 1",),
     flags=("hardens", "needs_temperature", "needs_rate"),
 )

@@ -1,11 +1,13 @@
-r"""Elastic-plastic with linear isotropic hardening and an optional ceiling.
+r"""Elastic-plastic solid with linear isotropic hardening, up to an optional limit.
 
 $$G = G_0, \qquad Y = \min\left(Y_0 + H\,\varepsilon_p,\; Y_{\max}\right)$$
 
-eps_p is the accumulated equivalent plastic strain; H is the slope of stress against *plastic* strain (for a tangent modulus
-E_t of a tensile test with Young's modulus E: H = E E_t / (E - E_t)).
+* $G_0$: shear modulus, `shear_modulus`
+* $Y$: flow stress in uniaxial stress; $Y_0$: its value at first yield, `yield_stress`; $Y_{\max}$: its limit, `largest_stress`
+* $H$: hardening modulus, `hardening_modulus`; $\varepsilon_p$: accumulated equivalent plastic strain
 
-Source: Hill, The Mathematical Theory of Plasticity (1950), chapter II; example: the copper of the verification problem `taylor_copper`.
+$H$ is the slope of the stress against the *plastic* strain. From the tangent modulus $E_t$ of a tensile test and Young's modulus $E$ it
+is $H = E E_t / (E - E_t)$. The example is the copper of the verification problem `taylor_copper`.
 """
 
 from typing import NamedTuple
@@ -34,9 +36,9 @@ STRENGTH.add(
     functions=[shear_modulus, flow_stress],
     example=LinearHardening(43.3e9, 0.4e9, 0.1e9, 0.7e9),
     units={"shear_modulus": "Pa", "yield_stress": "Pa", "hardening_modulus": "Pa", "largest_stress": "Pa"},
-    meaning={"shear_modulus": "shear modulus, constant", "yield_stress": "uniaxial stress at first yield",
+    meaning={"shear_modulus": "shear modulus", "yield_stress": "flow stress in uniaxial stress at first yield",
              "hardening_modulus": "slope of the flow stress against plastic strain",
-             "largest_stress": "ceiling of the flow stress"},
+             "largest_stress": "upper limit of the flow stress"},
     defaults={"largest_stress": NO_LIMIT},
     box={"rho": (5000.0, 15000.0), "p": (-5e9, 1e11), "temperature": (0.0, 1e4), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},

@@ -1,8 +1,9 @@
-r"""No strength: a fluid.
+r"""No strength: the material is a fluid.
 
 $$G = 0, \qquad Y = 0$$
 
-Source: the limit Y0 = 0 of the von Mises condition, Wilkins B.1 item 9.
+The shear modulus $G$ and the flow stress $Y$ vanish, so the stress is the pressure alone. It is the law of a material without
+`[material.NAME.strength]`.
 """
 
 from typing import NamedTuple
@@ -29,6 +30,6 @@ STRENGTH.add(
     units={}, meaning={},
     box={"rho": (1.0, 2e4), "p": (-1e10, 1e12), "temperature": (0.0, 1e4), "bulk_modulus": (0.0, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
-    references=("Wilkins, B.1 item 9 (Y0 = 0)",),
+    references=("Wilkins, appendix B.1, item 9, with zero yield stress",),
     flags=("fluid",),
 )

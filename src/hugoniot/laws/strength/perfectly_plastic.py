@@ -1,8 +1,11 @@
-r"""Elastic-perfectly plastic with a constant shear modulus.
+r"""Elastic-perfectly plastic solid with constant shear modulus and yield stress.
 
 $$G = G_0, \qquad Y = Y_0$$
 
-Source: Wilkins B.1 items 5 and 9 (his shear modulus is written mu).
+* $G_0$: shear modulus, `shear_modulus`
+* $Y_0$: flow stress in uniaxial stress, `yield_stress`
+
+The simplest strength law, suited to shocks in which hardening and heating change the flow stress little.
 """
 
 from typing import NamedTuple
@@ -28,8 +31,8 @@ STRENGTH.add(
     functions=[shear_modulus, flow_stress],
     example=PerfectlyPlastic(27.6e9, 0.3e9),
     units={"shear_modulus": "Pa", "yield_stress": "Pa"},
-    meaning={"shear_modulus": "shear modulus, constant", "yield_stress": "uniaxial stress at yield, constant"},
+    meaning={"shear_modulus": "shear modulus", "yield_stress": "flow stress in uniaxial stress"},
     box={"rho": (2000.0, 5000.0), "p": (-5e9, 1e11), "temperature": (0.0, 1e4), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
-    references=("Wilkins, B.1 items 5 and 9",),
+    references=("Wilkins, appendix B.1, items 5 and 9 (where the shear modulus is mu)",),
 )

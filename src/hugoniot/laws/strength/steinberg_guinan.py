@@ -1,15 +1,22 @@
-r"""Steinberg-Guinan: shear modulus and flow stress of metals at high rates, with pressure, temperature and melting.
+r"""Steinberg-Guinan: shear modulus and flow stress of metals at high strain rates, with pressure, temperature and melting.
 
 $$G = G_0\,\varphi, \qquad Y = \min\left\{Y_0\,[1 + \beta(\varepsilon_p + \varepsilon_i)]^n,\; Y_{\max}\right\}\varphi, \qquad
   \varphi = 1 + A\,p\,\eta^{-1/3} - B\,(T - 300\,\mathrm{K})$$
 $$T_m = T_{m0}\,\exp\left[2a\left(1 - 1/\eta\right)\right]\eta^{2(\gamma_0 - a - 1/3)}, \qquad \eta = \rho/\rho_0$$
 
-A = G'_p/G0 and B = -G'_T/G0; the pressure derivative of Y is taken as Y'_p/Y0 = A, as in the published parameter table.
-Above the melting temperature Y = 0 and G = G0 `melt_shear_fraction`. The factor $\varphi$ is not allowed to fall below
-`melt_shear_fraction` for G and 0 for Y, since at large tensions or temperatures the series would become negative.
+* $G$, $Y$: shear modulus and flow stress in uniaxial stress; $G_0$, $Y_0$: their initial values at zero pressure and 300 K,
+  `shear_modulus`, `yield_stress`; $Y_{\max}$: `largest_yield_stress`
+* $\beta$, $n$: `hardening_coefficient`, `hardening_exponent`; $\varepsilon_p$: accumulated equivalent plastic strain;
+  $\varepsilon_i$: `initial_strain`
+* $A$, $B$: `pressure_coefficient`, `temperature_coefficient`; $p$, $T$: pressure and temperature
+* $\rho_0$: reference density, `rho0`; $\eta$: compression
+* $T_m$: melting temperature; $T_{m0}$, $\gamma_0$, $a$: `melt_temperature`, `melt_gruneisen`, `melt_a`
 
-Source: Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498; constants of the example: 6061-T6 aluminium of
-Steinberg, UCRL-MA-106439 (1996), quoted from memory.
+Above the melting temperature $Y = 0$, and $G$ is $G_0$ times `melt_shear_fraction`. Large tensions or temperatures would make $\varphi$
+negative; it is therefore not less than `melt_shear_fraction` in $G$ and not less than 0 in $Y$. The flow stress does not depend on the
+strain rate. The law gives $Y$ the same relative pressure derivative as $G$, as the published table of parameters does. The equation
+of state must give a temperature. The constants of the example are for 6061-T6 aluminium, quoted from memory from Steinberg,
+UCRL-MA-106439 (1996), and not checked against it.
 """
 
 from typing import NamedTuple
@@ -65,14 +72,15 @@ STRENGTH.add(
     units={"rho0": "kg/m^3", "shear_modulus": "Pa", "yield_stress": "Pa", "hardening_coefficient": "1", "hardening_exponent": "1",
            "largest_yield_stress": "Pa", "pressure_coefficient": "1/Pa", "temperature_coefficient": "1/K", "melt_temperature": "K",
            "melt_gruneisen": "1", "melt_a": "1", "initial_strain": "1", "melt_shear_fraction": "1"},
-    meaning={"rho0": "density at rest", "shear_modulus": "shear modulus at zero pressure and 300 K",
-             "yield_stress": "flow stress at zero pressure and 300 K",
-             "hardening_coefficient": "beta of the hardening power law", "hardening_exponent": "n of the hardening power law",
-             "largest_yield_stress": "ceiling of the hardened flow stress at zero pressure and 300 K",
-             "pressure_coefficient": "A, relative rise of the shear modulus with pressure",
-             "temperature_coefficient": "B, relative fall of the shear modulus with temperature",
-             "melt_temperature": "melting temperature at rho0", "melt_gruneisen": "Grüneisen parameter of the melting law",
-             "melt_a": "volume correction a of the melting law", "initial_strain": "equivalent plastic strain of the material as received",
+    meaning={"rho0": "reference density", "shear_modulus": "shear modulus at zero pressure and 300 K",
+             "yield_stress": "flow stress in uniaxial stress at first yield, zero pressure and 300 K",
+             "hardening_coefficient": "beta, coefficient of strain hardening", "hardening_exponent": "n, exponent of strain hardening",
+             "largest_yield_stress": "upper limit of the hardened flow stress at zero pressure and 300 K",
+             "pressure_coefficient": "A, pressure derivative of the shear modulus over the shear modulus",
+             "temperature_coefficient": "B, decrease of the shear modulus per kelvin over the shear modulus",
+             "melt_temperature": "melting temperature at the reference density", "melt_gruneisen": "Grüneisen parameter of the melting law",
+             "melt_a": "a, volume coefficient of the Grüneisen parameter in the melting law",
+             "initial_strain": "equivalent plastic strain before loading",
              "melt_shear_fraction": "fraction of the shear modulus that remains in the melt"},
     defaults={"initial_strain": 0.0, "melt_shear_fraction": 0.0},
     box={"rho": (2600.0, 4500.0), "p": (-2e9, 1e11), "temperature": (200.0, 5000.0), "bulk_modulus": (1e9, 1e12),
