@@ -1,8 +1,8 @@
-r"""No fracture: any tension is supported.
+"""No fracture: the material supports any tension.
 
-$$\text{failure} = 0$$
+$$r = 0$$
 
-Source: the limit of infinite strength, Wilkins B.4 with P_S = -infinity.
+The failure ratio $r$, at 1 of which a material breaks, never rises. It is the law of a material without `[material.NAME.fracture]`.
 """
 
 from typing import NamedTuple
@@ -33,6 +33,6 @@ FRACTURE.add(
     example=NoFracture(),
     units={}, meaning={},
     box={"tension": (-1e11, 1e11), "p": (-1e11, 1e11), "v": (0.1, 10.0), "damage": (0.0, 1.0)},
-    references=("Wilkins, B.4 (a) with an unreachable limit",),
+    references=("Wilkins, appendix B.4 (a), with an unreachable limit",),
     flags=("never",),
 )

@@ -1,10 +1,12 @@
-r"""Fracture when the pressure is low enough and the volume large enough.
+r"""Fracture of a zone whose pressure falls below a limit while its volume exceeds another.
 
-$$P < P_S \;\text{ and }\; V > V_S \quad\Longleftrightarrow\quad \min\left(\frac{P}{P_S}, \frac{V}{V_S}\right) > 1, \qquad P_S < 0$$
+$$P < P_S \;\text{ and }\; V > V_S, \qquad P_S < 0$$
 
-V is the relative volume rho0/rho. The second condition prevents hot, dense material from fracturing in a passing rarefaction.
+* $P$: pressure of the zone; $P_S$: its limit, a tension and therefore negative, `pressure_limit`
+* $V = \rho_0/\rho$: volume relative to that at the reference density $\rho_0$; $V_S$: its limit, `volume_limit`
 
-Source: Wilkins B.4 (a), opening of a void.
+Where both conditions hold, a void opens at a face of the zone. The condition on the volume keeps hot, dense material from breaking in a
+passing rarefaction. The law does not limit the tension: it may exceed $|P_S|$ before the volume reaches $V_S$.
 """
 
 from typing import NamedTuple
@@ -48,8 +50,8 @@ FRACTURE.add(
     build=build,
     units={"pressure_limit": "Pa", "volume_limit": "1"},
     meaning={"pressure_limit": "P_S, pressure below which the material may fracture (negative)",
-             "volume_limit": "V_S, relative volume above which the material may fracture"},
+             "volume_limit": "V_S, volume relative to that at the reference density, above which the material may fracture"},
     defaults={"volume_limit": 1.0},
     box={"tension": (-1e11, 1e10), "p": (-1e10, 1e11), "v": (0.3, 1.5), "damage": (0.0, 1.0)},
-    references=("Wilkins, B.4 (a)",),
+    references=("Wilkins, appendix B.4 (a), opening of a void",),
 )

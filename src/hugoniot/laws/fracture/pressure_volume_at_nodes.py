@@ -1,11 +1,12 @@
-r"""Fracture at a node where the mean values of the two zones beside it satisfy both criteria, as Wilkins writes it.
+r"""Fracture at a node where the mean pressure and volume of the two adjoining zones satisfy both limits of `pressure_volume`.
 
 $$\tfrac12(P_{j+1/2} + P_{j-1/2}) < P_S \;\text{ and }\; \tfrac12(V_{j+1/2} + V_{j-1/2}) > V_S, \qquad P_S < 0$$
 
-V is the relative volume rho0/rho. `pressure_volume` applies the same criteria to single zones and opens the void beside the worst one. The
-node must lie inside a region, because two materials have different criteria.
+* $P_{j\pm1/2}$, $V_{j\pm1/2}$: pressure, and volume relative to that at the reference density, of the zones on either side of node $j$
+* $P_S$, $V_S$: their limits, `pressure_limit` (negative) and `volume_limit`
 
-Source: Wilkins B.4 (a), opening of a void.
+This is the criterion as Wilkins writes it; `pressure_volume` applies the same limits to single zones. Nodes between two materials are
+not tested, because each material has limits of its own. The law is for one-dimensional runs of inert materials.
 """
 
 from typing import NamedTuple

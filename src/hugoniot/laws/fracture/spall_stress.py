@@ -1,15 +1,20 @@
-r"""Spall at a critical normal stress, with the growth of voids around the spall plane.
+r"""Spall at a critical tension, with the growth of voids around the spall plane.
 
-$$\text{failure} = \frac{\sigma_t}{\sigma_{spall}}, \qquad \sigma_t = s_1 - p, \qquad
-  \sigma_t \le \sigma_{spall}\left(1 - \phi/\phi_c\right)$$
+$$\frac{\sigma_t}{\sigma_s} \ge 1, \qquad \sigma_t = s_1 - p; \qquad
+  \sigma_t \le \sigma_s\left(1 - \phi/\phi_c\right) \text{ where voids grow}$$
 
-sigma_t is the longitudinal tensile stress (without viscous pressure). Where it first reaches the strength the material separates in one
-plane. Until the release from this void arrives, the surrounding zones would reach tensions the material cannot support.
-Instead voids (volume fraction phi) grow there at a tension equal to the strength, which falls to zero when they coalesce at phi_c. The
-voids close again at zero longitudinal stress. A zone that contains voids opens no second plane.
+* $\sigma_t$: longitudinal tensile stress, without artificial viscosity; $s_1$: longitudinal stress deviator, positive in tension;
+  $p$: pressure
+* $\sigma_s$: spall strength, `strength`
+* $\phi$: volume fraction of voids; $\phi_c$: the fraction at which they coalesce, `coalescence`
 
-Source: Herrmann WL-TR-64-107, section VI (spall at a critical tensile stress); Wilkins B.4 (a) names such criteria. The growth of
-voids, and the linear fall of the strength with their volume fraction, are closures of this package; neither source gives a rule.
+Where $\sigma_t$ first reaches $\sigma_s$ the material separates in one plane. Before the release from this plane reaches them, the
+adjoining zones would come to tensions that the material cannot support. Voids grow in them instead, at a tension that falls linearly from
+$\sigma_s$ to zero at $\phi_c$. On compression the voids close at zero longitudinal stress. A zone that contains voids opens no second
+plane.
+
+The strength does not depend on the rate of loading. The rule for the growth of voids is this package's own: the sources give only the
+criterion.
 """
 
 from typing import NamedTuple
@@ -51,10 +56,10 @@ FRACTURE.add(
     example=SpallStress(1.0e9),
     build=build,
     units={"strength": "Pa", "coalescence": "1"},
-    meaning={"strength": "longitudinal tension at which the material spalls",
-             "coalescence": "void fraction at which a zone has lost its strength"},
+    meaning={"strength": "spall strength, a longitudinal tension",
+             "coalescence": "void fraction at which the strength vanishes"},
     defaults={"coalescence": 0.1},
     box={"tension": (-1e11, 1e10), "p": (-1e10, 1e11), "v": (0.3, 1.5), "damage": (0.0, 1.0)},
-    references=("Herrmann, WL-TR-64-107, section VI", "Wilkins, B.4 (a)"),
+    references=("Herrmann, WL-TR-64-107 (1964), section VI", "Wilkins, appendix B.4 (a)"),
     flags=("voids",),
 )

@@ -1,21 +1,20 @@
 r"""Spall at a tension proportional to the square root of its gradient: a short pulse needs a higher tension than a long one.
 
-$$\sigma_t \ge \max\left(\sigma_{least},\; A\sqrt{|d\sigma_t/dx|}\right), \qquad A = \sigma_r/\sqrt{G_r}$$
+$$\sigma_t \ge \max\left(\sigma_m,\; A\sqrt{|d\sigma_t/dx|}\right), \qquad A = \sigma_r/\sqrt{G_r}$$
 
-A is given as the strength sigma_r at a reference gradient G_r, so that every parameter has a simple unit. sigma_least is the
-strength where the tension is uniform; without it any uniform tension would break the material. Noise behind a wave has
-hardly any gradient, so sigma_least should not be far below the tension at which the material is expected to break. The criterion is
-evaluated at nodes inside a region, with the mean tension of the zones beside the node and the larger of the slopes over four zones
-on either side of it. At the front of a wave, whose slope is set by the mesh, and at the peak beside it, the material therefore breaks only
-where it would also break in the flow behind.
+* $\sigma_t$: longitudinal tensile stress
+* $\sigma_r$: strength at the reference gradient $G_r$, `strength` and `gradient`
+* $\sigma_m$: strength in a uniform tension, `least`; without it, any uniform tension would break the material
 
-A triangular pulse of peak P and length L that reaches a free surface leaves a tension that grows from the surface as 2 P x / L. It spalls
-at the depth $A\sqrt{L/(2P)}$, at the tension $A\sqrt{2P/L}$, and again at the same distance as long as the pulse lasts.
+Oscillations behind a wave have small gradients, so $\sigma_m$ should not be far below the tension at which the material is expected to
+break. The criterion is evaluated at nodes inside a material: $\sigma_t$ is the mean of the two adjoining zones, and the gradient is the
+larger of the slopes over four zones on either side.
 
-The law has no default constants: the open literature gives its form, and its equivalence to an impulse criterion (Tuler & Butcher 1968),
-but no values for metals.
+A triangular pulse of peak $P$ and length $L$ that reaches a free surface produces a tension $2Px/L$ at the depth $x$. The material
+spalls at the depth $A\sqrt{L/(2P)}$ and the tension $A\sqrt{2P/L}$, and again at equal distances while the pulse lasts.
 
-Source: Breed, Mader & Venable, J. Appl. Phys. 38 (1967) 3271; mentioned without an equation in Wilkins B.4 (a).
+The law is for one-dimensional runs of inert materials. It has no default constants: the open literature gives the form of the law, and its
+equivalence to an impulse criterion (Tuler & Butcher), but no values for metals.
 """
 
 from typing import NamedTuple
@@ -64,9 +63,10 @@ FRACTURE.add(
     example=StressGradient(1.0e9, 1.0e12, 0.2e9),
     build=build,
     units={"strength": "Pa", "gradient": "Pa/m", "least": "Pa"},
-    meaning={"strength": "tension that breaks the material at the reference gradient", "gradient": "reference gradient of the tension",
-             "least": "tension that breaks the material however small the gradient"},
+    meaning={"strength": "tension at which the material breaks at the reference gradient", "gradient": "reference gradient of the tension",
+             "least": "tension at which the material breaks without a gradient"},
     box={"tension": (-1e11, 1e10), "p": (-1e10, 1e11), "v": (0.3, 1.5), "damage": (0.0, 1.0)},
-    references=("Breed, Mader & Venable, J. Appl. Phys. 38 (1967) 3271", "Tuler & Butcher, Int. J. Fracture Mech. 4 (1968) 431"),
+    references=("Breed, Mader & Venable, J. Appl. Phys. 38 (1967) 3271",
+                "Tuler & Butcher, Int. J. Fracture Mech. 4 (1968) 431, for the impulse criterion"),
     flags=("nodes",),
 )

@@ -1,14 +1,15 @@
 r"""Tuler-Butcher cumulative damage: a high tension breaks the material immediately, a lower one after a delay.
 
-$$\int \left(\sigma_t - \sigma_0\right)^{\lambda}\,dt = K \quad\text{over the time spent at } \sigma_t > \sigma_0$$
+$$\frac{dD}{dt} = \frac{1}{\tau}\left(\frac{\sigma_t - \sigma_0}{\sigma_r}\right)^{\lambda} \text{ for } \sigma_t > \sigma_0,
+  \qquad \text{failure at } D = 1$$
 
-K is written as sigma_r^lambda tau, so that the units of the parameters do not depend on the exponent: an overstress of
-`reference_stress` sigma_r for the `critical_time` tau breaks the material. The damage is the integral divided by K and reaches 1
-at failure:
+* $D$: damage, from 0 to 1; $\sigma_t$: longitudinal tensile stress
+* $\sigma_0$: tension below which there is no damage, `threshold`
+* $\lambda$: `exponent`
+* $\sigma_r$, $\tau$: `reference_stress`, `critical_time`; a tension of $\sigma_0 + \sigma_r$ breaks the material in the time $\tau$
 
-$$\dot D = \frac{1}{\tau}\left(\frac{\sigma_t - \sigma_0}{\sigma_r}\right)^{\lambda}$$
-
-Source: Tuler & Butcher, Int. J. Fracture Mech. 4 (1968) 431, equation 1.
+The original form is $\int(\sigma_t - \sigma_0)^\lambda\,dt = K$, so that $K = \sigma_r^\lambda\tau$. The law does not limit the tension,
+which may rise further until the damage is complete.
 """
 
 from typing import NamedTuple
@@ -54,9 +55,9 @@ FRACTURE.add(
     example=TulerButcher(0.5e9, 2.0, 1.0e9, 0.2e-6),
     build=build,
     units={"threshold": "Pa", "exponent": "1", "reference_stress": "Pa", "critical_time": "s"},
-    meaning={"threshold": "tension below which nothing is damaged", "exponent": "lambda, power of the overstress",
-             "reference_stress": "overstress that breaks the material in the critical time",
-             "critical_time": "time to failure at the reference overstress"},
+    meaning={"threshold": "tension below which there is no damage", "exponent": "lambda, power of the tension above the threshold",
+             "reference_stress": "tension above the threshold that breaks the material in the critical time",
+             "critical_time": "time to failure at the reference stress"},
     box={"tension": (-1e11, 1e10), "p": (-1e10, 1e11), "v": (0.3, 1.5), "damage": (0.0, 1.0)},
     least={"threshold": 0.0},
     references=("Tuler & Butcher, Int. J. Fracture Mech. 4 (1968) 431, equation 1",),
