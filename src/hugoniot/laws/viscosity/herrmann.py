@@ -1,12 +1,14 @@
-r"""Herrmann's artificial viscosity: quadratic and linear in the rate of compression, coefficients proportional to the mesh size.
+r"""Herrmann's artificial viscosity: linear and quadratic in the rate of compression.
 
 $$q = \rho\left\{B_2\,\Delta x\,c\,\frac{\dot\rho}{\rho} + \left[B_1\,\Delta x\,\frac{\dot\rho}{\rho}\right]^2\right\}, \qquad
   \dot\rho > 0$$
 
-The velocity difference across the zone is used for $-\Delta x\,\dot\rho/\rho$, to which it is equal in planar flow. The report gives
-no values of B1 and B2; the defaults are those of the `landshoff` law, to which the planar form is identical.
+* $q$: viscous pressure, added to the pressure of a zone in compression and zero in expansion
+* $\rho$: density; $\dot\rho$: its rate of change; $c$: longitudinal sound speed; $\Delta x$: width of the zone
+* $B_1$, $B_2$: `quadratic`, `linear`
 
-Source: Herrmann WL-TR-64-107, equation 4.3 and section A.2 (B1 enters squared; B.53's B3 is B1, H-E7).
+The velocity difference across the zone, with its sign reversed, is used for $\Delta x\,\dot\rho/\rho$, to which it is equal in planar flow.
+The law is then identical to `landshoff`. The report gives no values of $B_1$ and $B_2$, so the defaults are those of `landshoff`.
 """
 
 from typing import NamedTuple
@@ -28,9 +30,9 @@ VISCOSITY.add(
     functions=[viscous_speed],
     example=HerrmannViscosity(),
     units={"quadratic": "1", "linear": "1"},
-    meaning={"quadratic": "B1, which enters squared", "linear": "B2"},
+    meaning={"quadratic": "B1, quadratic coefficient, which enters squared", "linear": "B2, linear coefficient"},
     defaults={"quadratic": 1.4, "linear": 0.3},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     least={"quadratic": 0.0, "linear": 0.0},
-    references=("Herrmann, WL-TR-64-107, equation 4.3 and section A.2",),
+    references=("Herrmann, WL-TR-64-107 (1964), equation 4.3 and section A.2; B3 in B.53 is B1 (H-E7)",),
 )

@@ -1,11 +1,13 @@
-r"""The quadratic viscosity of the KB codes.
+r"""The quadratic artificial viscosity of the KB codes, acting only in compression.
 
-$$w = C\,\rho\,(\Delta V)^2 \quad\text{in compression}$$
+$$q = C\,\rho\,(\Delta u)^2$$
 
-The printed form C rho |dV| (-dV) is negative in expansion, where it would also resist the flow. Here it acts only in compression, like
-all laws but `kb_two_sided` (K-E6). C is not squared. There is no linear term, so ripples behind a shock decay slowly.
+* $q$: viscous pressure, added to the pressure of a zone in compression and zero in expansion
+* $\rho$: density; $\Delta u$: velocity difference across the zone
+* $C$: `quadratic`, not squared
 
-Source: KB codes, equation 1.8.
+The KB codes print $C\rho|\Delta u|(-\Delta u)$, which also acts in expansion (K-E6); `kb_two_sided` is that form. The law has no linear
+term, so oscillations behind a shock decay slowly.
 """
 
 from typing import NamedTuple
@@ -26,9 +28,9 @@ VISCOSITY.add(
     functions=[viscous_speed],
     example=KB(),
     units={"quadratic": "1"},
-    meaning={"quadratic": "C, near unity, not squared"},
+    meaning={"quadratic": "C, quadratic coefficient, usually near 1"},
     defaults={"quadratic": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     least={"quadratic": 0.0},
-    references=("KB codes, equation 1.8",),
+    references=("KB codes manual (Field Precision, 2000), equation 1.8",),
 )

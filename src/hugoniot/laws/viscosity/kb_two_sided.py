@@ -1,11 +1,13 @@
-r"""The quadratic viscosity of the KB codes as printed: it also resists expansion.
+r"""The quadratic artificial viscosity of the KB codes as printed, which also acts in expansion.
 
-$$w = -C\,\rho\,|\Delta V|\,\Delta V$$
+$$q = -C\,\rho\,|\Delta u|\,\Delta u$$
 
-In expansion w < 0, a tension that converts motion into heat where the flow is smooth (K-E6), so that releases are too warm and too slow.
-The KB codes use this form, and the speed of their threshold burn depends on it. Use `kb` for anything else.
+* $q$: viscous pressure, added to the pressure of the zone
+* $\rho$: density; $\Delta u$: velocity difference across the zone, negative in compression
+* $C$: `quadratic`, not squared
 
-Source: KB codes, equation 1.8, without a compression switch.
+In expansion $q < 0$. This tension converts motion into heat where the flow is smooth (K-E6), so releases are too warm and too slow.
+Use this law only to reproduce the KB codes, whose threshold burn depends on it, and `kb` for anything else.
 """
 
 from typing import NamedTuple
@@ -27,10 +29,10 @@ VISCOSITY.add(
     functions=[viscous_speed],
     example=KBTwoSided(),
     units={"quadratic": "1"},
-    meaning={"quadratic": "C, near unity, not squared"},
+    meaning={"quadratic": "C, quadratic coefficient, usually near 1"},
     defaults={"quadratic": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     least={"quadratic": 0.0},
-    references=("KB codes, equation 1.8",),
+    references=("KB codes manual (Field Precision, 2000), equation 1.8",),
     flags=("two_sided",),
 )

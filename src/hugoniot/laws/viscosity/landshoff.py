@@ -1,10 +1,14 @@
-r"""Viscosity of von Neumann-Richtmyer and Landshoff with the true sound speed.
+r"""Artificial viscosity of von Neumann-Richtmyer and Landshoff, with the true sound speed.
 
 $$q = C_0^2\,\rho\,(\Delta u)^2 + C_L\,\rho\,c\,|\Delta u|$$
 
-With the true sound speed CL = 1 would be far too viscous (W-E4); the defaults are C0 = 1.4 and CL = 0.3.
+* $q$: viscous pressure, added to the pressure of a zone in compression and zero in expansion
+* $\rho$: density; $\Delta u$: velocity difference across the zone
+* $c$: longitudinal sound speed
+* $C_0$, $C_L$: `quadratic`, `linear`
 
-Source: von Neumann & Richtmyer, J. Appl. Phys. 21 (1950) 232; Landshoff, LA-1930 (1955); Wilkins, appendix B.2 item 7.
+The quadratic term spreads strong shocks over a few zones; the linear term damps the oscillations behind them. With the true sound speed
+$C_L = 1$ would be far too viscous (W-E4).
 """
 
 from typing import NamedTuple
@@ -26,9 +30,10 @@ VISCOSITY.add(
     functions=[viscous_speed],
     example=Landshoff(),
     units={"quadratic": "1", "linear": "1"},
-    meaning={"quadratic": "C0, which enters squared", "linear": "CL of the term with the sound speed"},
+    meaning={"quadratic": "C0, quadratic coefficient, which enters squared", "linear": "CL, linear coefficient"},
     defaults={"quadratic": 1.4, "linear": 0.3},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     least={"quadratic": 0.0, "linear": 0.0},
-    references=("von Neumann & Richtmyer, J. Appl. Phys. 21 (1950) 232", "Landshoff, LA-1930 (1955)"),
+    references=("von Neumann & Richtmyer, J. Appl. Phys. 21 (1950) 232", "Landshoff, LA-1930 (1955)",
+                "Wilkins, appendix B.2, item 7"),
 )

@@ -1,20 +1,25 @@
-r"""Kuropatenko's viscosity with a monotonic limiter: the pressure jump of a shock, and zero in smooth flow.
+r"""Kuropatenko's artificial viscosity with a monotonic limiter: the pressure jump of a shock, and zero in smooth flow.
 
 $$q = (1 - \psi)\,\rho\,|\Delta u|\left(c_2 |\Delta u| + \sqrt{c_2^2\,\Delta u^2 + c_1^2\,c^2}\right)$$
 
-With $c_2 = (\gamma + 1)/4$ and $c_1 = 1$ the bracket is the speed of an ideal-gas shock with velocity jump du relative to the gas ahead,
-and q is the exact pressure jump. For a solid with $U_s = c_0 + s u_p$ the same holds with $c_2 \approx s/2$. The default, 2/3, is the value
-for a monatomic gas and for most metals (s = 1.3); diatomic gases have 0.6. A larger value widens strong shocks without any gain. $c_1 =
-0.3$ instead of 1 keeps weak shocks in gases and elastic precursors thin (W-E4). In condensed material only q damps the ringing behind
-strong shocks, which would appear as an overshoot of a free surface. With strength, the square of the linear coefficient therefore grows
-from $c_1$ = `linear` in the jumps of a precursor to $c_c$ = `linear_condensed` in a plastic shock,
+* $q$: viscous pressure, added to the pressure of a zone in compression and zero in expansion
+* $\rho$: density; $\Delta u$: velocity difference across the zone
+* $\psi$: smoothness of the velocity field, computed by the solver: 1 where the velocity is linear, 0 at a shock or an extremum
+* $c$: longitudinal sound speed
+* $c_1$, $c_2$: `linear`, `quadratic`
 
-$$c_1^2 + (c_c^2 - c_1^2)\,\frac{\Delta u^4}{\Delta u^4 + (0.014\,c)^4} \quad\text{in place of}\quad c_1^2,$$
+**Quadratic coefficient.** With $c_2 = (\gamma + 1)/4$ and $c_1 = 1$ the factor in parentheses is the speed, relative to the gas ahead, of
+an ideal-gas shock with the velocity jump $\Delta u$, and $q$ is its exact pressure jump. For a solid with $U_s = c_0 + s u_p$ the same
+holds in strong shocks with $c_2 = s/2$. The default, 2/3, is the value for a monatomic gas and for $s = 1.33$, which is near that of most
+metals. For a diatomic gas the value is 0.6. A larger value widens strong shocks without any gain.
 
-and without strength the coefficient is $c_c$ throughout. If a deck gives only `linear`, its value applies to both.
-psi is the smoothness of the velocity field from the solver: 1 where the velocity is linear, 0 at a shock or an extremum.
+**Linear coefficient.** $c_1 = 0.3$ keeps weak shocks in gases and elastic precursors thin; with 1 they would be smeared (W-E4). Behind
+strong shocks in condensed material, however, only $q$ damps the oscillations, which would appear as an overshoot of a free surface. In
+nonporous solids and liquids without strength the coefficient is therefore $c_c$, `linear_condensed`. With strength $c_1^2$ is replaced by
 
-Source: Kuropatenko (1967); Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70, equations 10 to 14.
+$$c_1^2 + (c_c^2 - c_1^2)\,\frac{\Delta u^4}{\Delta u^4 + (0.014\,c)^4} ,$$
+
+which is near $c_1^2$ in a precursor and near $c_c^2$ in a plastic shock. If a deck gives only `linear`, its value applies to both.
 """
 
 from typing import NamedTuple
@@ -46,12 +51,12 @@ VISCOSITY.add(
     functions=[viscous_speed],
     example=Limited(),
     units={"quadratic": "1", "linear": "1", "linear_condensed": "1"},
-    meaning={"quadratic": "c2, (gamma + 1)/4 for an ideal gas",
-             "linear": "c1, weight of the sound speed; 0 in explosives whose burn is programmed alone",
-             "linear_condensed": "c1 in nonporous solids and liquids (with strength: only in strong jumps); default: `linear` if given"},
+    meaning={"quadratic": "c2, quadratic coefficient, (gamma + 1)/4 for an ideal gas",
+             "linear": "c1, linear coefficient; 0 in explosives that burn by a schedule alone",
+             "linear_condensed": "linear coefficient in nonporous solids and liquids (with strength: only in strong shocks)"},
     defaults={"quadratic": 2.0 / 3.0, "linear": 0.3, "linear_condensed": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     least={"quadratic": 0.0, "linear": 0.0, "linear_condensed": 0.0},
-    references=("Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70", "Kuropatenko (1967)"),
+    references=("Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70, equations 10 to 14", "Kuropatenko (1967)"),
     flags=("limited",),
 )

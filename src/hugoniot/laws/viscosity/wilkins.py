@@ -1,11 +1,14 @@
-r"""Viscosity of von Neumann-Richtmyer and Landshoff as printed by Wilkins: sqrt(P/rho) in the linear term, not the sound speed.
+r"""Wilkins' artificial viscosity: von Neumann-Richtmyer and Landshoff, with $\sqrt{P/\rho}$ in place of the sound speed.
 
 $$q = C_0^2\,\rho\,(\Delta u)^2 + C_L\,\rho\,a\,|\Delta u|, \qquad a = \sqrt{P/\rho} \text{ for } P > 0, \text{ else } 0$$
 
-sqrt(P/rho) vanishes at rest and is imaginary in tension, hence a = 0 there (W-E4). B.1 item 8
-prints the velocity gradient without absolute value; B.2 item 7, used here, is correct (W-E3). C0 enters squared.
+* $q$: viscous pressure, added to the pressure of a zone in compression and zero in expansion
+* $\rho$: density; $\Delta u$: velocity difference across the zone
+* $P$: pressure of the zone
+* $C_0$, $C_L$: `quadratic`, `linear`
 
-Source: Wilkins, appendix B.2 item 7, with C0 = 2, CL = 1.
+The defaults are Wilkins' values. The linear term vanishes at zero pressure and in tension, where $\sqrt{P/\rho}$ is zero or undefined
+(W-E4).
 """
 
 from typing import NamedTuple
@@ -28,9 +31,9 @@ VISCOSITY.add(
     functions=[viscous_speed],
     example=Wilkins(),
     units={"quadratic": "1", "linear": "1"},
-    meaning={"quadratic": "C0, which enters squared", "linear": "CL of the term with sqrt(P/rho)"},
+    meaning={"quadratic": "C0, quadratic coefficient, which enters squared", "linear": "CL, linear coefficient"},
     defaults={"quadratic": 2.0, "linear": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     least={"quadratic": 0.0, "linear": 0.0},
-    references=("Wilkins, appendix B.2 item 7",),
+    references=("Wilkins, appendix B.2, item 7 (W-E3)",),
 )
