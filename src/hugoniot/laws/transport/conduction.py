@@ -1,9 +1,14 @@
-r"""Heat conduction: none, by Prandtl number, constant, or a power of temperature.
+r"""Heat conductivity of a material: zero, from a Prandtl number, constant, or a power of the temperature.
 
-$$k = 0, \qquad k = \mu c_p/\mathrm{Pr}, \qquad k = k_0, \qquad k = k_0\,(T/T_0)^{\omega}$$
+$$k = 0 \;(\text{none}), \qquad k = \mu c_p/\mathrm{Pr} \;(\text{prandtl}), \qquad k = k_0 \;(\text{constant}), \qquad
+  k = k_0\,(T/T_0)^{\omega} \;(\text{power law})$$
 
-The isobaric specific heat is that of the equation of state itself, $c_p = c_v c^2/(c^2 - \Gamma^2 c_v T)$, so that the Prandtl number
-has the same meaning for a gas and for a liquid. Source: Jordan section 6.3 (Pr = 2/3 for argon) and tables 7.1.1, 7.2.1.
+* $k$: heat conductivity; the heat flux is $-k\,\partial T/\partial x$
+* $\mu$: shear viscosity; $c_p$: specific heat at constant pressure; $\mathrm{Pr}$: Prandtl number, `prandtl`
+* $k_0$: `conductivity`; $T_0$: `reference_temperature`; $\omega$: `exponent`
+
+The specific heat $c_p$ is that of the equation of state, $c_p = c_v c^2/(c^2 - \Gamma^2 c_v T)$, with the specific heat $c_v$ at constant
+volume, the sound speed $c$ and the Grüneisen parameter $\Gamma$. The Prandtl number of argon is 2/3.
 """
 
 from typing import NamedTuple
@@ -51,7 +56,7 @@ def power_law_conductivity(rho, T, mu, cp, par):
 CONDUCTION.add(
     "none", NoConduction, line="No heat conduction.",
     functions={"conductivity": no_conductivity}, example=NoConduction(), units={}, meaning={}, box=_BOX,
-    references=("Jordan 2011, section 7.1: conduction in water is small beside the shear stress",),
+    references=("Jordan 2011, section 7.1: conduction in water is negligible beside the shear stress",),
 )
 CONDUCTION.add(
     "prandtl", PrandtlConduction, line="Heat conductivity from the Prandtl number.",
@@ -62,7 +67,7 @@ CONDUCTION.add(
 CONDUCTION.add(
     "constant", ConstantConduction, line="Constant heat conductivity.",
     functions={"conductivity": constant_conductivity}, example=ConstantConduction(0.0177),
-    units={"conductivity": "W/m/K"}, meaning={"conductivity": "thermal conductivity"}, box=_BOX,
+    units={"conductivity": "W/m/K"}, meaning={"conductivity": "heat conductivity"}, box=_BOX,
     references=("Fourier's law; Bird, Stewart and Lightfoot, Transport Phenomena (1960), eq. 8.1-6",),
 )
 CONDUCTION.add(
@@ -70,7 +75,7 @@ CONDUCTION.add(
     functions={"conductivity": power_law_conductivity},
     example=PowerLawConduction(0.0177, 0.81, 300.0),
     units={"conductivity": "W/m/K", "exponent": "1", "reference_temperature": "K"},
-    meaning={"conductivity": "thermal conductivity at the reference temperature", "exponent": "power of the temperature",
+    meaning={"conductivity": "heat conductivity at the reference temperature", "exponent": "power of the temperature",
              "reference_temperature": "temperature of the given conductivity"},
     defaults={"exponent": 0.81, "reference_temperature": 300.0}, box=_BOX,
     references=("Jordan 2011, section 6.2, power law model", "Bird, Molecular Gas Dynamics (1994), section 4.3"),

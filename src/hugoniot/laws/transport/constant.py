@@ -2,7 +2,7 @@ r"""Constant shear viscosity.
 
 $$\mu = \mu_0$$
 
-Source: Jordan section 6.2, "constant viscosity".
+with $\mu_0$ = `shear_viscosity`. It suits liquids, and gases whose temperature changes little.
 """
 
 from typing import NamedTuple

@@ -1,9 +1,12 @@
-r"""Maxwell's elementary kinetic theory of hard spheres: one literal reading of Jordan's "Maxwell viscosity".
+r"""Shear viscosity of a gas of hard spheres, from Maxwell's elementary kinetic theory.
 
-$$\mu = \frac{2}{3\,d^2}\sqrt{\frac{m k_B T}{\pi^3}} = \frac{2}{3\pi d^2}\sqrt{\frac{m k_B T}{\pi}} \;\propto\; \sqrt{T}$$
+$$\mu = \frac{2}{3\pi d^2}\sqrt{\frac{m k_B T}{\pi}} \;\propto\; \sqrt{T}$$
 
-Source: Jordan section 6.2, where the formula is damaged; this is the form of Bird, Stewart and Lightfoot, Transport Phenomena,
-eq. 1.4-9. Jordan's "Maxwell" numbers do not follow from it: they are those of the power law $T^{0.81}$ (J-E4).
+* $m$: mass of a molecule, `molecular_mass`; $d$: its diameter, `diameter`
+* $k_B$: Boltzmann's constant; $T$: temperature
+
+The equation of state must give a temperature. Jordan's "Maxwell viscosity" refers to this formula, but his numbers are those of
+`power_law` with the exponent 0.81 (J-E4).
 """
 
 from typing import NamedTuple
@@ -27,9 +30,9 @@ def viscosity(rho, T, par):
 TRANSPORT.add(
     "hard_sphere", HardSphereViscosity, functions=[viscosity], example=HardSphereViscosity(6.6335e-26, 2.95e-10),
     units={"molecular_mass": "kg", "diameter": "m"},
-    meaning={"molecular_mass": "mass of one molecule", "diameter": "diameter of the sphere"},
+    meaning={"molecular_mass": "mass of a molecule", "diameter": "diameter of a molecule"},
     box={"rho": (1e-3, 1e2), "T": (50.0, 1e5)},
-    references=("Jordan 2011, section 6.2, Maxwell's viscosity model (as a formula)",
+    references=("Jordan 2011, section 6.2, Maxwell's viscosity model (formula damaged in our copy)",
                 "Bird, Stewart and Lightfoot, Transport Phenomena (1960), eq. 1.4-9"),
     flags=("needs_temperature",),
 )

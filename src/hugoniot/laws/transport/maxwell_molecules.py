@@ -1,9 +1,11 @@
-r"""Maxwell molecules: repulsion with the inverse fifth power of distance makes the viscosity proportional to temperature.
+r"""Shear viscosity of a gas of Maxwell molecules, proportional to the temperature.
 
 $$\mu = \mu_0\,T/T_0$$
 
-The other meaning of "Maxwell" in kinetic theory (Jordan section 6.2 names Maxwell without saying which; J-E4).
-Source: Chapman and Cowling, The Mathematical Theory of Non-uniform Gases, section 12.32.
+* $\mu_0$: viscosity at $T_0$, `shear_viscosity`; $T_0$: `reference_temperature`; $T$: temperature
+
+Maxwell molecules repel each other with a force that varies as the inverse fifth power of the distance. The equation of state must give a
+temperature.
 """
 
 from typing import NamedTuple

@@ -1,9 +1,11 @@
-r"""Shear viscosity as a power of temperature.
+r"""Shear viscosity of a gas as a power of the temperature.
 
 $$\mu = \mu_0\,(T/T_0)^{\omega}$$
 
-For argon $\omega = 0.81$ (Jordan section 6.2; also the value of Bird's VHS model). Both the "power law" and the "Maxwell"
-rows of Jordan's table 6.2.1.1 follow from this law: they are the same profile in units of two mean free paths (J-E4; see mean_free_path).
+* $\mu_0$: viscosity at $T_0$, `shear_viscosity`; $T_0$: `reference_temperature`; $\omega$: `exponent`; $T$: temperature
+
+The default exponent is that of argon. The equation of state must give a temperature. Both the "power law" and the "Maxwell" rows of
+Jordan's table 6.2.1.1 follow from this law: they are the same profile, scaled by two different mean free paths (J-E4).
 """
 
 from typing import NamedTuple

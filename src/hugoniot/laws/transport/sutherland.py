@@ -1,8 +1,11 @@
-r"""Sutherland's viscosity of gases: hard spheres with a weak attraction.
+r"""Sutherland's shear viscosity of gases: hard spheres with a weak attraction.
 
 $$\mu = \mu_0\left(\frac{T}{T_0}\right)^{3/2}\frac{T_0 + S}{T + S}$$
 
-Source: Sutherland, Phil. Mag. 36 (1893) 507; the constant S for argon is about 144 K (White, Viscous Fluid Flow, table 1-2).
+* $\mu_0$: viscosity at $T_0$, `shear_viscosity`; $T_0$: `reference_temperature`; $T$: temperature
+* $S$: Sutherland's constant, `sutherland_temperature`, about 144 K for argon
+
+The equation of state must give a temperature.
 """
 
 from typing import NamedTuple
@@ -29,6 +32,6 @@ TRANSPORT.add(
     meaning={"shear_viscosity": "shear viscosity at the reference temperature",
              "reference_temperature": "temperature of the given viscosity", "sutherland_temperature": "Sutherland's constant S"},
     box={"rho": (1e-3, 1e2), "T": (100.0, 3e3)},
-    references=("Sutherland, Phil. Mag. 36 (1893) 507",),
+    references=("Sutherland, Phil. Mag. 36 (1893) 507", "White, Viscous Fluid Flow, table 1-2, for argon",),
     flags=("needs_temperature",),
 )
