@@ -1,12 +1,15 @@
-r"""Arrhenius rate with the mixture's temperature.
+r"""Arrhenius rate: burning at a rate that depends on the temperature of the mixture.
 
 $$\dot\lambda = Z\,(1-\lambda)^m \exp(-T_a/T)$$
 
-`advance` is exact at constant temperature. The change of the rate by heating within a step must be resolved by the solver, whose time step
-is limited by the rate.
+* $\lambda$: burned mass fraction, 0 to 1; $\dot\lambda$: its rate of change
+* $T$: temperature of the mixture of unburned and burned material
+* $Z$: `frequency`; $T_a$: `activation_temperature`; $m$: `depletion_exponent`
 
-Source: Fickett and Davis, Detonation (1979), chapter 2; C. L. Mader, Numerical Modeling of Detonation (1979). Temperature of the mixture:
-Starkenberg ARL-TR-2161 section 5.6.
+Both equations of state must give a temperature.
+
+The time step is limited by the rate, so that the heating within a step is resolved; within the step the rate equation is solved exactly at
+constant temperature.
 """
 
 from typing import NamedTuple
@@ -44,11 +47,12 @@ BURN.add(
     functions={"rate": rate, "advance": advance, "scheduled": no_schedule},
     example=Arrhenius(5.0e12, 2.6e4),
     units={"frequency": "1/s", "activation_temperature": "K", "depletion_exponent": "1"},
-    meaning={"frequency": "frequency factor Z", "activation_temperature": "activation energy over the gas constant",
-             "depletion_exponent": "power m of the unburned fraction"},
+    meaning={"frequency": "Z, frequency factor", "activation_temperature": "activation energy divided by the gas constant",
+             "depletion_exponent": "m, power of the unburned fraction"},
     defaults={"depletion_exponent": 1.0},
     box={"temperature": (300.0, 5000.0)},
-    references=("Fickett and Davis, Detonation, 1979, chapter 2", "Mader, Numerical Modeling of Detonation, 1979"),
+    references=("Fickett and Davis, Detonation, 1979, chapter 2", "Mader, Numerical Modeling of Detonation, 1979",
+                "Starkenberg, ARL-TR-2161, section 5.6, for the temperature of the mixture"),
     flags=("temperature_driven",),
     build=build,
 )

@@ -1,12 +1,16 @@
-r"""Forest-fire rates: the logarithm of the rate as a polynomial of the pressure, or as a table.
+r"""Forest fire: burning at a rate that depends on the pressure, given by a polynomial or a table, with first-order depletion.
 
-$$\dot\lambda = (1-\lambda)\,\frac{1}{t_0}\exp\left(\sum_{i=0}^{14} a_i\,(p/p_0)^i\right), \quad p_{min} < p; \qquad
-\dot\lambda = (1-\lambda)\,r(p) \text{ with } \ln r \text{ linear in } \ln p \text{ between the entries of a table}$$
+$$\dot\lambda = (1-\lambda)\,\frac{1}{t_0}\exp\left(\sum_{i=0}^{14} a_i\,(p/p_0)^i\right) \;(\text{forest fire}), \qquad
+\dot\lambda = (1-\lambda)\,r(p) \;(\text{rate table})$$
 
-Nothing burns below the lowest pressure. Above the highest one (`p_max`, or the last of the table) the rate keeps its value there, because
-a polynomial of degree 14 is meaningless outside the range of its fit. The step is exact at constant pressure.
+* $\lambda$: burned mass fraction, 0 to 1; $\dot\lambda$: its rate of change
+* $p$: pressure
+* $a_0$ to $a_{14}$: `coefficients`, up to 15 of them; $p_0$, $t_0$: `pressure_scale`, `time_scale` (Mader's units by default: 1 Mbar, 1 µs)
+* $r$: rate of the table (`pressures`, `rates`); $\ln r$ is interpolated linearly in $\ln p$
 
-Source: C. L. Mader, Numerical Modeling of Detonation (1979), chapter 4, with p0 = 1 Mbar and t0 = 1 microsecond.
+Nothing burns below the lowest pressure, `p_min` or the first of the table. Above the highest, `p_max` or the last of the table, the rate
+keeps the value it has there, because a polynomial is meaningless outside the range of its fit. The rate equation is solved exactly at the
+pressure of each step.
 """
 
 from typing import NamedTuple
@@ -107,14 +111,15 @@ def rate_table(pressures, rates) -> RateTable:
 
 
 BURN.add(
-    "forest_fire", ForestFire, line="Forest fire: the logarithm of the rate as a polynomial of the pressure, first-order depletion.",
+    "forest_fire", ForestFire, line="Forest fire: the logarithm of the rate is a polynomial of the pressure, with first-order depletion.",
     functions={"rate": polynomial_rate, "advance": polynomial_advance, "scheduled": no_schedule},
     # log-rate of a made-up quadratic fit between 3 and 35 GPa: 0.02 per microsecond to 130 per microsecond
     example=forest_fire((-5.5, 48.0, -52.0), 3.0e9, 35.0e9),
     units={"coefficients": "1", "p_min": "Pa", "p_max": "Pa", "pressure_scale": "Pa", "time_scale": "s"},
-    meaning={"coefficients": "a_0 to a_14 of the log-rate polynomial", "p_min": "pressure below which nothing burns",
-             "p_max": "pressure above which the rate stays constant (CJ pressure)", "pressure_scale": "unit of pressure in the polynomial",
-             "time_scale": "unit of time in the polynomial"},
+    meaning={"coefficients": "a_0 to a_14, coefficients of the polynomial", "p_min": "pressure below which nothing burns",
+             "p_max": "pressure above which the rate is constant, usually the CJ pressure",
+             "pressure_scale": "unit of pressure of the polynomial",
+             "time_scale": "unit of time of the polynomial"},
     build=forest_fire,
     defaults={"pressure_scale": 1.0e11, "time_scale": 1.0e-6},
     box={"p": (0.0, 60.0e9)},
@@ -123,12 +128,13 @@ BURN.add(
 )
 
 BURN.add(
-    "rate_table", RateTable, line="A table of rates against pressure, interpolated logarithmically, first-order depletion.",
+    "rate_table",
+    RateTable, line="Rate table: the rate is interpolated logarithmically in a table over pressure, with first-order depletion.",
     functions={"rate": table_rate, "advance": table_advance, "scheduled": no_schedule},
     example=rate_table((2.0e9, 5.0e9, 1.0e10, 2.0e10, 4.0e10), (2.0e3, 8.0e4, 1.2e6, 1.5e7, 1.0e8)),
     units={"log_pressure": "1", "log_rate": "1", "pressures": "Pa", "rates": "1/s"},
     meaning={"log_pressure": "logarithms of the pressures of the table in Pa", "log_rate": "logarithms of the rates of the table in 1/s",
-             "pressures": "pressures of the table, rising", "rates": "rates before depletion at those pressures"},
+             "pressures": "pressures of the table, in ascending order", "rates": "rates before depletion at the pressures of the table"},
     build=rate_table,
     box={"p": (0.0, 60.0e9)},
     references=("Mader, Numerical Modeling of Detonation, 1979, chapter 4",),

@@ -1,17 +1,19 @@
-r"""Ignition and growth: three terms, each acting between limits of the burn fraction.
+r"""Ignition and growth of Lee and Tarver: three terms for hot spots, the growth of burning around them, and its completion.
 
 $$\dot\lambda = \underbrace{I(1-\lambda)^b\left(\tfrac{\rho}{\rho_0} - 1 - a\right)^x}_{\lambda < \lambda_{ig}}
  + \underbrace{G_1(1-\lambda)^c\lambda^d p^y}_{\lambda < \lambda_{G1}}
  + \underbrace{G_2(1-\lambda)^e\lambda^g p^z}_{\lambda \ge \lambda_{G2}}$$
 
-The ignition term is 0 below the compression 1 + a, the growth terms are 0 in tension and at lambda = 0. `advance` integrates at constant
-density and pressure: by a Taylor series to second order where little burns, else by the third-order pair of Bogacki and Shampine (Appl.
-Math. Letters 2 (1989) 321), and stops exactly at the limits. For the last of the explosive the rate is approximated by one power of
-1 - lambda, fitted to two points, whose depletion has a closed form. Burning thus ends exactly at 1 where the equation does (powers below
-1).
+* $\lambda$: burned mass fraction, 0 to 1; $\dot\lambda$: its rate of change
+* $\rho$: density; $\rho_0$: reference density, `rho0`; $p$: pressure of the mixture
+* $I$, $a$, $b$, $x$: `i`, `a`, `b`, `x`; $G_1$, $c$, $d$, $y$: `g1`, `c`, `d`, `y`; $G_2$, $e$, $g$, $z$: `g2`, `e`, `g`, `z`
+* $\lambda_{ig}$, $\lambda_{G1}$, $\lambda_{G2}$: `ignition_limit`, `growth_limit`, `completion_limit`
 
-Source: E. L. Lee and C. M. Tarver, Physics of Fluids 23 (1980) 2362; C. M. Tarver, J. O. Hallquist, L. M. Erickson, 8th Symposium
-(International) on Detonation, 1985 (three terms).
+The ignition term is zero for $\rho/\rho_0 < 1 + a$, the growth and completion terms in tension and at $\lambda = 0$. The example is LX-17
+with the constants of Kapila et al., Combustion Theory and Modelling 11 (2007) 781.
+
+Within a time step the equation is integrated at constant density and pressure with error control (Bogacki and Shampine, Appl. Math.
+Letters 2 (1989) 321), stopping exactly at the limits. Burning ends at exactly $\lambda = 1$ if the powers of $1 - \lambda$ are below 1.
 """
 
 from typing import NamedTuple
@@ -189,11 +191,14 @@ def ignition_growth(rho0, i, b, a, x, g1, c, d, y, **others) -> IgnitionGrowth:
 
 
 _MEANING = {
-    "rho0": "density of the unreacted explosive", "i": "ignition constant I", "b": "power of 1 - lambda, ignition",
-    "a": "compression rho/rho0 - 1 below which nothing ignites", "x": "power of the excess compression, ignition",
-    "g1": "growth constant G1", "c": "power of 1 - lambda, growth", "d": "power of lambda, growth", "y": "power of pressure, growth",
-    "g2": "completion constant G2", "e": "power of 1 - lambda, completion", "g": "power of lambda, completion",
-    "z": "power of pressure, completion", "ignition_limit": "burn fraction at which ignition ends",
+    "rho0": "reference density of the unreacted explosive", "i": "I, ignition constant",
+    "b": "power of the unburned fraction in the ignition term",
+    "a": "compression rho/rho0 - 1 below which nothing ignites", "x": "power of the compression above a in the ignition term",
+    "g1": "G1, growth constant", "c": "power of the unburned fraction in the growth term",
+    "d": "power of the burned fraction in the growth term", "y": "power of the pressure in the growth term",
+    "g2": "G2, completion constant", "e": "power of the unburned fraction in the completion term",
+    "g": "power of the burned fraction in the completion term",
+    "z": "power of the pressure in the completion term", "ignition_limit": "burn fraction at which ignition ends",
     "growth_limit": "burn fraction at which growth ends", "completion_limit": "burn fraction at which completion begins",
 }
 _UNITS = dict.fromkeys(_MEANING, "1") | {"rho0": "kg/m^3", "i": "1/s", "g1": "1/(Pa^y s)", "g2": "1/(Pa^z s)"}
@@ -206,6 +211,7 @@ BURN.add(
     units=_UNITS, meaning=_MEANING, build=ignition_growth,
     defaults={"g2": 0.0, "e": 1.0, "g": 1.0, "z": 1.0, "ignition_limit": 1.0, "growth_limit": 1.0, "completion_limit": 0.0},
     box={"rho": (1700.0, 3000.0), "p": (0.0, 60.0e9)},
-    references=("Lee and Tarver, Physics of Fluids 23 (1980) 2362", "Tarver, Hallquist and Erickson, 8th Symposium on Detonation, 1985"),
+    references=("Lee and Tarver, Physics of Fluids 23 (1980) 2362",
+                "Tarver, Hallquist and Erickson, 8th Symposium on Detonation, 1985, for three terms"),
     flags=("pressure_driven", "compression_driven", "subcycled"),
 )

@@ -1,12 +1,12 @@
-r"""JWL++: one pressure-driven term with first-order depletion.
+r"""JWL++: burning at a rate proportional to a power of the pressure, with first-order depletion.
 
-$$\dot\lambda = G\,p^b\,(1-\lambda), \qquad p \text{ with the artificial viscosity added}$$
+$$\dot\lambda = G\,p^b\,(1-\lambda)$$
 
-$\lambda$ is the burned mass fraction. The step is exact at constant pressure: the unburned fraction decays exponentially. The pressures of
-the phases are weighted by burn fraction (`weighted_pressures`, the closure used with this law unless the material names another). A
-published G in $\mathrm{\mu s^{-1}\,Mbar^{-b}}$ is multiplied by $10^{6-11b}$.
+* $\lambda$: burned mass fraction, 0 to 1; $\dot\lambda$: its rate of change
+* $p$: pressure of the mixture with the artificial viscosity added
+* $G$, $b$: `g`, `b`; a published $G$ in $\mathrm{\mu s^{-1}\,Mbar^{-b}}$ is multiplied by $10^{6-11b}$
 
-Source: P. C. Souers, S. Anderson, J. Mercer, E. McGuire, P. Vitello, Propellants, Explosives, Pyrotechnics 25 (2000) 54.
+If the material names no mixture, the pressures of the phases are weighted by burn fraction (`weighted_pressures`), as in the source.
 """
 
 from typing import NamedTuple
@@ -37,7 +37,7 @@ BURN.add(
     "jwl_plus_plus", JWLPlusPlus,
     functions={"rate": rate, "advance": advance, "scheduled": no_schedule},
     example=JWLPlusPlus(3.5083e-7, 1.3),
-    units={"g": "1/(Pa^b s)", "b": "1"}, meaning={"g": "rate constant G", "b": "power b of the pressure"},
+    units={"g": "1/(Pa^b s)", "b": "1"}, meaning={"g": "G, rate constant", "b": "power of the pressure"},
     box={"p": (0.0, 60.0e9)},
     references=("Souers et al., Propellants, Explosives, Pyrotechnics 25 (2000) 54",),
     flags=("pressure_driven", "includes_viscosity"),

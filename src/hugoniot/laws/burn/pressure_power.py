@@ -1,11 +1,14 @@
-r"""Rate as a power of the pressure, depletion as a power of the unburned fraction.
+r"""Burning at a rate proportional to a power of the pressure and a power of the unburned fraction.
 
-$$\dot\lambda = k\left(\frac{p}{p_0}\right)^n (1-\lambda)^m$$
+$$\dot\lambda = k\left(\frac{p}{p_0}\right)^n (1-\lambda)^m \text{ for } p > p_t, \text{ else } 0$$
 
-above the pressure `pressure_threshold`, 0 below. The law includes the simple-depletion
-model of Fickett and Rivard (n = 0, m = 1/2: $\lambda = \tau(2-\tau)$). The step is exact at constant pressure.
+* $\lambda$: burned mass fraction, 0 to 1; $\dot\lambda$: its rate of change
+* $p$: pressure of the mixture; $p_t$: `pressure_threshold`
+* $k$: `rate_constant`, the rate at $p_0$ = `reference_pressure` before depletion
+* $n$, $m$: `pressure_exponent`, `depletion_exponent`; burning ends in finite time for $m < 1$
 
-Source: Starkenberg ARL-TR-2161 section 3 allows any rate that depends on the state; Fickett and Davis, Detonation (1979), chapter 2.
+With $n = 0$ and $m = 1/2$ it is the simple rate of Fickett and Rivard, whose reaction zone is known exactly (`hugoniot exact
+fickett_rivard`). The rate equation is solved exactly at the pressure of each step.
 """
 
 from typing import NamedTuple
@@ -51,8 +54,8 @@ BURN.add(
     example=PressurePower(2.0e5, 1.5, 0.5),
     units={"rate_constant": "1/s", "pressure_exponent": "1", "depletion_exponent": "1", "reference_pressure": "Pa",
            "pressure_threshold": "Pa"},
-    meaning={"rate_constant": "rate at the reference pressure before depletion", "pressure_exponent": "power n of the pressure",
-             "depletion_exponent": "power m of the unburned fraction (below 1 burning ends in finite time)",
+    meaning={"rate_constant": "k, rate at the reference pressure before depletion", "pressure_exponent": "n, power of the pressure",
+             "depletion_exponent": "m, power of the unburned fraction (below 1 burning ends in finite time)",
              "reference_pressure": "pressure at which the rate constant is given",
              "pressure_threshold": "pressure below which nothing burns"},
     defaults={"reference_pressure": 1.0e9, "pressure_threshold": 0.0},

@@ -1,11 +1,16 @@
-r"""Programmed burn: zones burn when a front of prescribed speed has reached them, or when they are compressed to the CJ density.
+r"""Programmed burns: the burn fraction follows from a prescribed front, from the compression, or from both.
 
-$$F_1 = \frac{D\,(t - t_b)}{B_s\,\Delta x^0}, \qquad F_2 = \frac{1 - \rho_0/\rho}{1 - \rho_0/\rho_{CJ}}, \qquad
-  F = \max(F_1, F_2) \in [0, 1]$$
+$$F_1 = \frac{D\,(t - t_b)}{B_s\,\Delta x_0}, \qquad F_2 = \frac{1 - \rho_0/\rho}{1 - \rho_0/\rho_{CJ}}$$
 
-`programmed` uses F1 (Herrmann A.27, A.28), `beta` uses F2 (the CJ-volume burn), and `programmed_beta` the larger of the two, so that a
-front overdriven by convergence may run ahead of its schedule. The burn fraction F never decreases. The lighting time t_b is that of the
-zone's face nearer to the detonation point (A.27; `lighting.py`). The pressure is F times that of the products (A.29: `BurnedProducts`).
+* `programmed`: $F = F_1$; `beta` (CJ-volume burn): $F = F_2$; `programmed_beta`: $F = \max(F_1, F_2)$
+* $F$: burn fraction, limited to 0 to 1; it never decreases
+* $D$: speed of the front, `detonation_velocity`; $t$: time
+* $t_b$: lighting time, at which the front reaches the face of the zone nearer to the detonation point
+* $B_s$: `spread_zones`, the number of zones over which the front is spread; $\Delta x_0$: initial width of the zone
+* $\rho$: density; $\rho_0$, $\rho_{CJ}$: reference density and density of the CJ state, `rho0`, `rho_cj`
+
+With `programmed_beta` a front that is overdriven by convergence may run ahead of its schedule. If the material names no mixture, the
+pressure is $F$ times that of the products (`burned_products`).
 """
 
 from typing import NamedTuple
@@ -76,18 +81,19 @@ def build_programmed_beta(detonation_velocity, rho0, rho_cj, spread_zones=2.5):
 
 
 _UNITS = {"detonation_velocity": "m/s", "spread_zones": "1", "rho0": "kg/m^3", "rho_cj": "kg/m^3"}
-_MEANING = {"detonation_velocity": "speed of the programmed front", "spread_zones": "zones over which a front burns (B_s)",
-            "rho0": "density of the unburned explosive", "rho_cj": "density of the Chapman-Jouguet state"}
-_SOURCE = ("Herrmann, WL-TR-64-107, A.27 to A.30",)
+_MEANING = {"detonation_velocity": "speed of the programmed front", "spread_zones": "B_s, number of zones over which the front is spread",
+            "rho0": "reference density of the explosive", "rho_cj": "density of the CJ state"}
+_SOURCE = ("Herrmann, WL-TR-64-107 (1964), A.27 to A.30",)
 _BOX = {"rho": (1000.0, 3000.0)}
 
 for _name, _build, _function, _example, _flags, _line in (
     ("programmed", build_programmed, programmed, Programmed(7991.0), ("programmed",),
-     "Programmed burn: zones burn when a front of prescribed speed has reached them."),
+     "Programmed burn: a zone burns when a front of prescribed speed reaches it."),
     ("beta", build_beta, beta, Beta(1714.0, 2332.8), ("compression_driven",),
-     "CJ-volume burn: zones burn in proportion to their compression towards the CJ density."),
+     "CJ-volume burn: a zone burns in proportion to its compression towards the CJ density."),
     ("programmed_beta", build_programmed_beta, programmed_beta, ProgrammedBeta(7991.0, 1714.0, 2332.8),
-     ("programmed", "compression_driven"), "The larger of programmed and CJ-volume burn: a converging front may overtake its schedule."),
+     ("programmed",
+     "compression_driven"), "The larger of programmed and CJ-volume burn, so that a converging front may run ahead of its schedule."),
 ):
     BURN.add(_name, type(_example), functions={"rate": no_rate, "advance": no_advance, "scheduled": _function}, example=_example,
              units=_UNITS, meaning=_MEANING, box=_BOX, references=_SOURCE, flags=_flags, build=_build,

@@ -2,18 +2,24 @@ r"""Threshold burn of the KB codes: a zone burns instantaneously when its pressu
 
 $$\lambda = 1 \quad\text{once}\quad p > P_{init}$$
 
-The zone's chemical energy Q is released and the law of the products applies. **The speed of the resulting wave depends on the threshold
-and does not converge with the mesh**: the energy is released inside the smeared shock, at a point of its profile set by the threshold, so
-the speed depends on everything that shapes this profile, including the time step. For Composition B (rho0 = 1770 kg/m3, Q = 6.27 MJ/kg,
-gamma = 3, exact D = 10.016 km/s) behind a piston at the CJ velocity, and P_init = 1, 5, 10, 20, 30, 40 GPa, the speed is
+* $\lambda$: burned mass fraction; $p$: pressure of the zone; $P_{init}$: `initiation_pressure`
 
-* as in the KB codes (leapfrog, `shock_energy` before burning, `kb_two_sided` with C = 1, courant 0.25): 14.39, 10.26, 9.85, 9.92,
-  9.95, 9.99 km/s, the same on 200 and 800 zones within 0.25 %, and up to 3 % different with courant 0.2 or 0.3 (1 GPa: 9 %)
-* with `compatible` and a Mie-Grüneisen explosive: 12.5, 10.14, 10.10, 10.13, 10.18, 10.22 km/s
+When a zone burns, its chemical energy is released and the equation of state of the products applies. **The speed of the resulting wave
+depends on the threshold and does not converge with the mesh**: the energy is released inside the smeared shock, at a point of its profile
+set by the threshold, so everything that shapes this profile affects the speed, including the time step.
 
-Between 5 and 40 GPa the speed is correct to 3 %.
+Speed of the wave in Composition B (reference density 1770 kg/m³, chemical energy 6.27 MJ/kg, products with gamma = 3, exact speed 10.016
+km/s) behind a piston at the CJ particle velocity:
 
-Source: KB codes section 4; K-E4, K-E11.
+| $P_{init}$, GPa | 1 | 5 | 10 | 20 | 30 | 40 |
+|---|---|---|---|---|---|---|
+| speed as in the KB codes, km/s | 14.39 | 10.26 | 9.85 | 9.92 | 9.95 | 9.99 |
+| speed with `compatible`, km/s | 12.5 | 10.14 | 10.10 | 10.13 | 10.18 | 10.22 |
+
+The first row uses the integrator of the KB codes, `shock_energy` for the unreacted explosive, `kb_two_sided` with coefficient 1 and a
+Courant number of 0.25. It is the same on 200 and 800 zones within 0.25 %, and changes by up to 3 % (at 1 GPa by 9 %) with Courant numbers
+of 0.2 or 0.3. The second row uses the integrator `compatible` and a Mie-Grüneisen equation of state for the unreacted explosive. Between
+5 and 40 GPa the speeds are correct to 3 %.
 """
 
 from typing import NamedTuple
@@ -41,7 +47,7 @@ BURN.add(
     example=Threshold(20.0e9),
     units={"initiation_pressure": "Pa"}, meaning={"initiation_pressure": "pressure above which a zone burns instantaneously"},
     box={"p": (0.0, 60.0e9)},
-    references=("KB codes, section 4",),
+    references=("KB codes manual (Field Precision, 2000), section 4 (K-E4, K-E11)",),
     flags=("pressure_driven", "instantaneous"),
     build=build,
 )
