@@ -1,17 +1,22 @@
-r"""Mechanical and thermal equilibrium: equal pressures and equal temperatures.
+r"""Mechanical and thermal equilibrium of reactants and products: equal pressures and equal temperatures.
 
 $$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,$$
 $$p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad T_r(v_r, e_r - Q) = T_p(v_p, e_p)$$
 
-With $w = v_r - v_p$ and $z = e_r - e_p$ the sums of volume and energy hold identically, and Newton's method is applied to both unknowns.
-If it does not converge, the search is nested: at fixed w the temperature difference increases with z
-(specific heats are positive), so z(w) is found in an inner bracket; along z(w) the pressure difference decreases with w (isothermal
-compressibilities are positive), so w is found in an outer bracket. The equations are regular at lambda = 0 and 1.
+* $\lambda$: burn fraction, the mass fraction of products
+* $v$, $e$: specific volume and specific internal energy of the mixture; with the index r those of the reactants, with p those of the
+  products
+* $p_r$, $p_p$, $T_r$, $T_p$: pressures and temperatures of the two equations of state
+* $Q$: chemical energy, `detonation_energy`
 
-The slopes of the temperature follow from the pressure: $(\partial T/\partial v)_e = p/c_v - T p_e$ and $(\partial T/\partial e)_v =
-1/c_v$. Both laws must therefore give a temperature and a specific heat that are consistent with their pressure.
+Use it for slow burning, in which the phases have time to exchange heat. Both equations of state must give a temperature and a specific heat
+consistent with their pressure: the slopes of the temperature are taken as $(\partial T/\partial v)_e = p/c_v - T (\partial p/\partial e)_v$
+and $(\partial T/\partial e)_v = 1/c_v$.
 
-Source: Starkenberg ARL-TR-2161 section 4.2 and appendix B-1, B-2 (general determinant).
+**Numerical solution.** The unknowns are $w = v_r - v_p$ and $z = e_r - e_p$, for which the sums of volume and energy hold identically.
+Newton's method is applied to both. If it does not converge, the search is nested: at fixed $w$ the temperature difference increases with
+$z$, and along the $z(w)$ so found the pressure difference decreases with $w$, so both roots can be bracketed. The equations are regular
+at $\lambda$ = 0 and 1.
 """
 
 from typing import NamedTuple
@@ -298,9 +303,9 @@ MIXTURE.add(
     units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",
            "product_density_limit": "kg/m^3"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
-             "detonation_energy": "chemical energy released by burning, Q >= 0 (negative in Starkenberg)",
-             "reactant_density_limit": "highest density of the reactants' law",
-             "product_density_limit": "highest density of the products' law"},
+             "detonation_energy": "chemical energy Q released by burning, not negative",
+             "reactant_density_limit": "highest density of the equation of state of the reactants",
+             "product_density_limit": "highest density of the equation of state of the products"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
     references=("Starkenberg, ARL-TR-2161, section 4.2 and appendix B",),
     flags=("needs_temperature",),

@@ -1,20 +1,24 @@
-r"""Mechanical equilibrium with thermal isolation: equal pressures, the reactant stays on its isentrope.
+r"""Mechanical equilibrium with thermal isolation: equal pressures, while the reactants stay on their isentrope.
 
 $$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,$$
-$$p = p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad e_r - Q = e_{Sr}(v_r;\, v_k, e_k)$$
+$$p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad e_r - Q = e_S(v_r)$$
 
-With $w = v_r - v_p$ and $z = e_r - e_p$ the sums of volume and energy hold identically ($v_r = v + \lambda w$, $v_p = v - (1-\lambda)w$),
-the isentrope gives $\lambda z = e_{Sr} + Q - e$, and one equation remains, $F(w) = p_r - p_p = 0$, whose slope is $-I^2$ with $I^2 =
-\lambda i_r^2 + (1-\lambda) i_p^2 > 0$. F decreases monotonically, so the root is unique, and the equation is regular as burning begins and
-ends. The products' energy is the difference (e - (1 - lambda) e_r)/lambda. Below `nascent_limit` this would magnify any error of the
-mixture's energy far too much, so the reactant's isentrope is then taken through the mixture state itself (the limit of Starkenberg section
-5.9). For energies exact to round-off a limit of 1e-6 is suitable; a solver, whose step leaves an error of 1e-4 in a shock, needs about
-1e-3.
+* $\lambda$: burn fraction, the mass fraction of products
+* $v$, $e$: specific volume and specific internal energy of the mixture; with the index r those of the reactants, with p those of the
+  products
+* $p_r$, $p_p$: pressures of the two equations of state; $Q$: chemical energy, `detonation_energy`
+* $e_S$: energy on the isentrope of the reactants through their state behind the last shock
 
-Newton's method runs inside a bracket that only shrinks; a step that leaves it is replaced by bisection. In a step of a run two trials
-nearly always suffice: `attempt` makes only these, for many zones at a time, and leaves the rest to the search.
+Use it for fast burning at hot spots, in which the phases have no time to exchange heat. It is the default for explosives that burn at a
+rate (except `jwl_plus_plus`).
 
-Source: Starkenberg ARL-TR-2161 sections 5.1 to 5.9 and appendix B-2 with corrections S-E2, S-E3, S-E13.
+**First products.** The energy of the products is $e_p = (e - (1-\lambda) e_r)/\lambda$. At small $\lambda$ this magnifies any error of
+$e$. Below the burn fraction `nascent_limit` the isentrope of the reactants is therefore taken through the state of the mixture itself. A
+limit of 1e-6 suits energies exact to round-off; a run, whose energy has errors of about 1e-4 in a shock, uses 1e-3.
+
+**Numerical solution.** The unknown is $w = v_r - v_p$; with $v_r = v + \lambda w$ and $v_p = v - (1-\lambda)w$ the sum of volumes holds
+identically. The pressure difference $p_r - p_p$ decreases monotonically with $w$, at the rate $I^2 = \lambda i_r^2 + (1-\lambda) i_p^2$,
+where $i = \rho c$ is the acoustic impedance of a phase, so the root is unique. Newton's method runs inside a bracket that only shrinks.
 """
 
 from typing import NamedTuple
@@ -251,11 +255,11 @@ MIXTURE.add(
     units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",
            "product_density_limit": "kg/m^3", "nascent_limit": "1"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
-             "detonation_energy": "chemical energy released by burning, Q >= 0 (negative in Starkenberg)",
-             "reactant_density_limit": "highest density of the reactants' law",
-             "product_density_limit": "highest density of the products' law",
-             "nascent_limit": "burn fraction below which the reactant's isentrope runs through the mixture state"},
+             "detonation_energy": "chemical energy Q released by burning, not negative",
+             "reactant_density_limit": "highest density of the equation of state of the reactants",
+             "product_density_limit": "highest density of the equation of state of the products",
+             "nascent_limit": "burn fraction below which the isentrope of the reactants passes through the state of the mixture"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
-    references=("Starkenberg, ARL-TR-2161, sections 5.1 to 5.9 and appendix B",),
+    references=("Starkenberg, ARL-TR-2161, sections 5.1 to 5.9 and appendix B, corrected (S-E2, S-E3, S-E13)",),
     flags=("follows_isentrope",),
 )

@@ -1,13 +1,16 @@
-r"""Two states at the density and the temperature of the mixture: the closure of CTH before 1999, which Starkenberg rejects.
+r"""Two-state mixture: reactants and products at the density and the temperature of the mixture, as in CTH before 1999.
 
 $$p = (1-\lambda)\,p_r(\rho, T) + \lambda\,p_p(\rho, T), \qquad e = (1-\lambda)\,e_r(\rho, T) + \lambda\,e_p(\rho, T)$$
 
-The products have the density and the temperature of the solid. The weighted pressure belongs to neither phase and has no physical
-meaning (the reason given in Starkenberg, section 4.4). It is included for comparison with results of that time. With $z = e_r - e_p$,
-so that $e_r = e + \lambda z$, $e_p = e - (1-\lambda)z$, one equation remains, $T_r(v, e_r - Q) = T_p(v, e_p)$; its slopes follow from
-$(\partial T/\partial e)_v = 1/c_v$ and $(\partial T/\partial v)_e = p/c_v - T\,(\partial p/\partial e)_v$, which holds for each phase.
+* $\lambda$: burn fraction, the mass fraction of products
+* $\rho$, $e$, $p$, $T$: density, specific internal energy, pressure and temperature of the mixture
+* $p_r$, $e_r$, $p_p$, $e_p$: pressure and energy of reactants and products; $e_r$ includes the chemical energy $Q$, `detonation_energy`
 
-Source: Starkenberg section 4.4; Kerley 1992 as cited there.
+The products are held at the density of the solid, and the weighted pressure is that of neither phase, so it has no physical meaning
+(Starkenberg, section 4.4). Use this closure only to compare with results of that time. Both equations of state must give a temperature
+and a specific heat.
+
+**Numerical solution.** With $z = e_r - e_p$ one equation remains, the equality of the temperatures, which Newton's method solves.
 """
 
 from typing import NamedTuple
@@ -114,8 +117,8 @@ MIXTURE.add(
                      JWL(1481.05e9, 63.79e9, 6.2, 2.2, 0.5, 1905.0, 6.9e9, 524.9), 3.9e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
-             "detonation_energy": "chemical energy released by burning, Q >= 0 (negative in Starkenberg)"},
+             "detonation_energy": "chemical energy Q released by burning, not negative"},
     box={"rho": (1900.0, 2600.0), "e": (4e6, 8e6), "burn_fraction": (0.0, 1.0)},
-    references=("Starkenberg, ARL-TR-2161, section 4.4", "Kerley 1992, as cited there"),
+    references=("Starkenberg, ARL-TR-2161, section 4.4", "Kerley (1992), as cited by Starkenberg"),
     flags=("no_equilibrium", "needs_temperature"),
 )

@@ -1,12 +1,15 @@
-r"""Pressures weighted by the burn fraction, both phases at the mixture's density and energy: the simple mixture rule of many codes.
+r"""Pressures weighted by the burn fraction, with both phases at the density and energy of the mixture.
 
-$$p = (1-\lambda)\,p_r(\rho, e - Q) + \lambda\,p_p(\rho, e)$$
+$$p = (1-\lambda)\,p_r(\rho, e - Q) + \lambda\,p_p(\rho, e) \;(\text{weighted pressures}), \qquad
+  p = \lambda\,p_p(\rho, e) \;(\text{burned products})$$
 
-With equal phase densities the volume fraction equals the mass fraction, so this is also volume-fraction mixing. The phases are not in
-equilibrium and the sum has no thermodynamic meaning. It is included for comparison, and because for lambda = 0 or 1 it
-is the threshold burn of the KB codes. `burned_products` is the case without reactant pressure, p = lambda p_p (programmed burn).
+* $\lambda$: burn fraction, the mass fraction of products
+* $\rho$, $e$, $p$: density, specific internal energy and pressure of the mixture
+* $p_r$, $p_p$: pressures of the equations of state of reactants and products; $Q$: chemical energy, `detonation_energy`
 
-Source: Herrmann WL-TR-64-107 A.29; KB codes section 4; compare Starkenberg section 4.4.
+The phases are not in equilibrium, and the sum has no thermodynamic meaning. `weighted_pressures` is the simple rule of many codes; it is
+the default with the burn laws `jwl_plus_plus` and `threshold`. `burned_products` leaves out the pressure of the reactants and is the
+closure of programmed burns.
 """
 
 from typing import NamedTuple
@@ -79,19 +82,19 @@ MIXTURE.add(
     example=WeightedPressures(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
-             "detonation_energy": "chemical energy released by burning, Q >= 0 (negative in Starkenberg)"},
+             "detonation_energy": "chemical energy Q released by burning, not negative"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
-    references=("Herrmann, WL-TR-64-107, A.29", "KB codes, section 4"),
+    references=("Herrmann, WL-TR-64-107 (1964), A.29", "KB codes manual (Field Precision, 2000), section 4"),
     flags=("no_equilibrium",),
 )
 
 MIXTURE.add(
-    "burned_products", BurnedProducts, line="Burned products alone, p = lambda p_p: no pressure before the detonation arrives.",
+    "burned_products", BurnedProducts, line="Burned products alone: no pressure before the detonation arrives.",
     functions={"solve": products_solve, "attempt": products_solve, "equilibrate": products_solve, "slopes": products_slopes,
                "phase_slopes": phase_slopes, "temperature": products_temperature},
     example=BurnedProducts(IdealGas(2.8, 1200.0, 1600.0)),
     units={"products": ""}, meaning={"products": "equation of state of the products"},
     box={"rho": (1200.0, 3000.0), "e": (1e6, 9e6), "burn_fraction": (0.0, 1.0)},
-    references=("Herrmann, WL-TR-64-107, A.29",),
+    references=("Herrmann, WL-TR-64-107 (1964), A.29",),
     flags=("no_equilibrium", "no_reactants"),
 )
