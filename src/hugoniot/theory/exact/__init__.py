@@ -1,8 +1,8 @@
 """Exact solutions: callables of positions and time that share no code with the solvers, each with its derivation and source.
 
-`SOLUTIONS[name](**parameters)` gives a `Solution`; the first line of its docstring says what it is (`describe`). Problems with
-parameters of their own (Sod, LeBlanc, ...) are entries like the general solutions they are made of. Two entries give data instead:
-`woodward_colella` (reference numbers) and `kenamond` (functions that give burn times).
+`SOLUTIONS[name](**parameters)` gives a `Solution`; the first line of its docstring says what it is (`describe`), and its rows `name
+meaning` describe the parameters. Problems with fixed parameters (Sod, LeBlanc, ...) are entries like the general solutions from which
+they are made. Two entries give data instead: `woodward_colella` (reference numbers) and `kenamond` (functions that give burn times).
 """
 
 from collections.abc import Callable

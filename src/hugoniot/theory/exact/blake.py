@@ -1,16 +1,24 @@
-r"""Blake's spherical cavity: a pressure applied suddenly inside a cavity in an unbounded elastic solid.
+r"""Blake's problem: a pressure applied suddenly to the wall of a spherical cavity in an unbounded elastic solid.
 
-Outgoing waves have the potential $f(\tau)/r$ with $\tau = t - (r-a)/c$, $c^2 = (K + \tfrac43G)/\rho$, $c_s^2 = G/\rho$:
+It tests the elastic response and the geometry terms of a solver in spherical flow, where the exact stress is known behind a moving front.
+
+With the longitudinal sound speed $c = \sqrt{(K + \tfrac43G)/\rho}$ and the shear wave speed $c_s = \sqrt{G/\rho}$, the outgoing waves have
+the potential $f(\tau)/r$, where $\tau = t - (r-a)/c$ is the time since the front passed:
 
 $$u = -\frac{f}{r^2} - \frac{f'}{cr},\quad v = -\frac{f'}{r^2} - \frac{f''}{cr},\quad \nabla\cdot u = \frac{f''}{c^2r},\quad
   \sigma_r = \frac{\rho f''}{r} + \frac{4G f'}{cr^2} + \frac{4G f}{r^3}$$
 
-The wall, $\sigma_r(a) = -P$, is a damped oscillator, $f'' + 2\alpha f' + \omega_0^2 f = -Pa/\rho$ with $\alpha = 2c_s^2/(ca)$,
-$\omega_0 = 2c_s/a$, $\omega^2 = \omega_0^2 - \alpha^2$, at rest at $\tau = 0$:
+* $P$: pressure on the wall, `pressure`; $a$: radius of the cavity, `radius`
+* $\rho$, $K$, $G$: density, bulk modulus and shear modulus of the solid
+* $u$, $v$: displacement and velocity at the radius $r$ and the time $t$; $\sigma_r$: radial stress, positive in tension
+
+The condition at the wall, $\sigma_r(a) = -P$, is the equation of a damped oscillator, $f'' + 2\alpha f' + \omega_0^2 f = -Pa/\rho$ with
+$\alpha = 2c_s^2/(ca)$ and $\omega_0 = 2c_s/a$. Its solution from rest is, with $\omega^2 = \omega_0^2 - \alpha^2$,
 
 $$f = -\frac{Pa^3}{4G}\left[1 - e^{-\alpha\tau}\left(\cos\omega\tau + \frac\alpha\omega\sin\omega\tau\right)\right]$$
 
-At the front the stress is $Pa/r$; behind it the solid comes to rest with $u = Pa^3/(4Gr^2)$, without a change of density.
+At the front the compressive stress is $Pa/r$. Far behind it the solid is at rest with the displacement $Pa^3/(4Gr^2)$ and its initial
+density.
 
 Source: Blake, J. Acoust. Soc. Am. 24 (1952) 211; Sharpe, Geophysics 7 (1942) 144; derived here.
 """
@@ -25,10 +33,17 @@ def blake(pressure: float = 1e6, radius: float = 0.1, density: float = 3000.0, b
           shear_modulus: float = 25e9) -> Solution:
     """Blake's spherical cavity: a pressure applied suddenly to the wall of a cavity in an elastic solid.
 
-    Positions are radii from the cavity's `radius` outwards, in the small-strain sense: those of the undeformed solid.
+    pressure        pressure on the wall
+    radius          radius of the cavity
+    density         density of the solid
+    bulk_modulus    bulk modulus of the solid
+    shear_modulus   shear modulus of the solid
 
-    Fields: displacement, velocity, pressure, stress and hoop_stress (radial and circumferential, positive in compression), density.
-    `numbers`: sound_speed (longitudinal), shear_speed, decay_time, period, final_displacement (of the wall), largest_displacement.
+    Strains are small: positions are radii in the undeformed solid, from the cavity outwards.
+
+    Fields: displacement (m), velocity, pressure, density, and the compressive stresses stress (radial) and hoop_stress.
+    Numbers: sound_speed (longitudinal), shear_speed, decay_time (1/alpha), period (2 pi/omega), final_displacement and
+    largest_displacement (both of the wall).
     """
     if min(pressure, radius, density, bulk_modulus, shear_modulus) <= 0.0:
         raise OutOfRange("Blake's cavity needs positive pressure, radius, density and moduli")

@@ -1,25 +1,29 @@
-r"""Coggeshall's adiabatic flows in one dimension without shocks: every radius stays in proportion to the size of the body.
+r"""Coggeshall's adiabatic flows of an ideal gas in one dimension without shocks: every radius stays in proportion to the size of the body.
 
-With d = 1, 2, 3 for planar, cylindrical, spherical geometry and any slope b of the density or of the entropy, numbered as in Coggeshall:
+They test a solver in smooth expansion and compression, where any heating is an error. In each, the density or the entropy is a power of the
+radius with a free exponent $b$, `slope`. The numbers of the problems are Coggeshall's; $d$ = 1, 2, 3 in planar, cylindrical and spherical
+geometry.
 
-* Problem 1, coasting: $u = r/t$, $\rho = \rho_0 r^bt^{-b-d}$, $e = e_0r^{-b}t^{b-(\gamma-1)d}$. The pressure is uniform and
-  nothing accelerates.
-* Problem 2, driven: $u = ar/t$, $\rho = \rho_0r^bt^{-a(b+d)}$, $e = \frac{a(1-a)}{(\gamma-1)(b+2)}\frac{r^2}{t^2}$,
-  $a = \frac{2}{2 + (\gamma-1)d}$. The energy equation fixes a, the momentum equation the factor of e; b > -2.
-* Problem 6, collapse from rest, $\gamma = 1 + 2/d$: with $s^2 = 1 - t^2/\tau^2$ and $X = r/s$, $u = -rt/(\tau^2 - t^2)$,
-  $\rho = s^{-d}G(X)$, $p = s^{-d-2}P(X)$. Since $\ddot s = -1/(\tau^2s^3)$, the momentum equation is
-  $P' = XG/\tau^2$, for any G. Here $G = \rho_0X^b$, $P = \rho_0X^{b+2}/((b+2)\tau^2)$, b > -2.
-* Problem 7, the same with a free inner surface at X = R and the entropy $p/\rho^\gamma \propto X^b$: with
-  $Y = X^{2-b/\gamma} - R^{2-b/\gamma}$, $G \propto X^{-b/\gamma}Y^{1/(\gamma-1)}$,
-  $P \propto \frac{\gamma-1}{(2\gamma-b)\tau^2}Y^{\gamma/(\gamma-1)}$, b < 2 gamma.
-  For b = 0 it is Kidder's shell without inner pressure.
+* Problem 1, coasting: $u = r/t$, $\rho = \rho_0r^bt^{-b-d}$, $e = e_0r^{-b}t^{b-(\gamma-1)d}$. The pressure is uniform, so nothing
+  accelerates.
+* Problem 2, driven: $u = ar/t$, $\rho = \rho_0r^bt^{-a(b+d)}$, $e = \frac{a(1-a)}{(\gamma-1)(b+2)}\frac{r^2}{t^2}$ with
+  $a = \frac{2}{2 + (\gamma-1)d}$ and $b > -2$.
+* Problem 6, collapse from rest, for $\gamma = 1 + 2/d$: $u = -rt/(\tau^2 - t^2)$, $\rho = s^{-d}G(X)$, $p = s^{-d-2}P(X)$ with
+  $s^2 = 1 - t^2/\tau^2$ and the initial radius $X = r/s$. The momentum equation is $P' = XG/\tau^2$. Here $G = \rho_0X^b$ and
+  $P = \rho_0X^{b+2}/((b+2)\tau^2)$ with $b > -2$.
+* Problem 7, the same with a free inner surface at $X = R$ and the entropy $p/\rho^\gamma \propto X^b$: with
+  $Y = X^{2-b/\gamma} - R^{2-b/\gamma}$ the profiles are $G \propto X^{-b/\gamma}Y^{1/(\gamma-1)}$ and
+  $P \propto \frac{\gamma-1}{(2\gamma-b)\tau^2}Y^{\gamma/(\gamma-1)}$, $b < 2\gamma$. For $b = 0$ it is Kidder's shell without inner
+  pressure.
 
-Continuity, momentum and energy are satisfied identically (the tests differentiate the solutions). ExactPack has all problems up to 21
-except 15. Of the others, 8 and 11 are problem 1, 9 is problem 2 and 18 is problem 6, each for the slope at which a heat flux has no
-divergence; 19 is `noh`, 20 and 21 are in `coggeshall_shocks`; 3, 4, 5 and 12 have gamma < 1 or a negative temperature, and 10, 13, 14, 16
-and 17 need heat conduction. `coggeshall` is a flow in two dimensions.
+Here $\rho_0$ and $e_0$ are the density and energy at unit radius (and, in problems 1 and 2, unit time), $\gamma$ is the ratio of specific
+heats and $\tau$ the time of collapse, `collapse_time`.
 
-Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 1, 2, 6, 7; derived here for any slope.
+ExactPack has all problems up to 21 except 15. Of those not given here, 8 and 11 are problem 1, 9 is problem 2 and 18 is problem 6, each
+for the exponent at which a heat flux has no divergence. Problem 19 is `noh`, and 20 and 21 are `coggeshall_noh` and
+`coggeshall_stopping`. Problems 3, 4, 5 and 12 have gamma < 1 or a negative temperature, and 10, 13, 14, 16 and 17 need heat conduction.
+
+Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 1, 2, 6, 7; derived here for any exponent.
 """
 
 import numpy as np
@@ -31,9 +35,15 @@ from hugoniot.theory.exact.solution import Solution
 
 def coggeshall_coasting(geometry: str = "spherical", gamma: float = 5.0 / 3.0, slope: float = 1.0, density: float = 1.0,
                         energy_per_mass: float = 1.0) -> Solution:
-    """Coggeshall's coasting flow: u = r/t, density a power of the radius, pressure uniform.
+    """Coggeshall's coasting flow: velocity r/t, density a power of the radius, uniform pressure.
 
-    density and energy_per_mass: at r = 1, t = 1; slope: b of rho ~ r^b. Fields: density, velocity, pressure, energy. Holds for time > 0.
+    geometry          planar, cylindrical or spherical
+    gamma             ratio of specific heats, above 1
+    slope             exponent b of the density
+    density           density at r = 1, t = 1
+    energy_per_mass   specific internal energy at r = 1, t = 1
+
+    Fields: density, velocity, pressure, energy. Numbers: velocity_factor (1). Valid for times above 0.
     """
     if gamma <= 1.0 or density <= 0.0 or energy_per_mass <= 0.0:
         raise OutOfRange("Coggeshall's flows need gamma > 1 and a positive density and energy")
@@ -42,9 +52,14 @@ def coggeshall_coasting(geometry: str = "spherical", gamma: float = 5.0 / 3.0, s
 
 
 def coggeshall_driven(geometry: str = "spherical", gamma: float = 5.0 / 3.0, slope: float = 0.0, density: float = 1.0) -> Solution:
-    """Coggeshall's driven flow: u = a r/t with a temperature quadratic in the radius, density a power of it.
+    """Coggeshall's driven flow: velocity a r/t, density a power of the radius, temperature quadratic in it.
 
-    density: at r = 1, t = 1; slope: b of rho ~ r^b, above -2. Fields: density, velocity, pressure, energy. Holds for time > 0.
+    geometry   planar, cylindrical or spherical
+    gamma      ratio of specific heats, above 1
+    slope      exponent b of the density, above -2
+    density    density at r = 1, t = 1
+
+    Fields: density, velocity, pressure, energy. Numbers: velocity_factor (a). Valid for times above 0.
     """
     if gamma <= 1.0 or density <= 0.0 or slope <= -2.0:
         raise OutOfRange("Coggeshall's driven flow needs gamma > 1, a positive density and slope > -2")
@@ -56,8 +71,12 @@ def coggeshall_driven(geometry: str = "spherical", gamma: float = 5.0 / 3.0, slo
 def coggeshall_collapse(geometry: str = "spherical", slope: float = 0.0, density: float = 1.0, collapse_time: float = 1.0) -> Solution:
     """Coggeshall's collapse from rest: density a power of the radius, gamma = 1 + 2/d (planar 3, cylindrical 2, spherical 5/3).
 
-    density: at r = 1, t = 0; slope: b of rho ~ r^b, above -2. Fields: density, velocity, pressure, energy; numbers: gamma.
-    At rest at t = 0; holds for time < collapse_time.
+    geometry        planar, cylindrical or spherical
+    slope           exponent b of the density, above -2
+    density         density at r = 1, t = 0
+    collapse_time   time at which every radius reaches 0
+
+    Fields: density, velocity, pressure, energy. Numbers: gamma. Valid for times below collapse_time.
     """
     if density <= 0.0 or collapse_time <= 0.0 or slope <= -2.0:
         raise OutOfRange("Coggeshall's collapse needs a positive density and collapse_time, and slope > -2")
@@ -67,11 +86,19 @@ def coggeshall_collapse(geometry: str = "spherical", slope: float = 0.0, density
 
 def coggeshall_shell(geometry: str = "spherical", inner: float = 0.5, outer: float = 1.0, slope: float = 1.2, density: float = 1.0,
                      collapse_time: float = 1.0) -> Solution:
-    """Coggeshall's shell: from rest, without inner pressure, its entropy a power of the radius; gamma = 1 + 2/d.
+    """Coggeshall's shell: collapse from rest without inner pressure, the entropy a power of the radius, gamma = 1 + 2/d.
 
-    density: at the outer radius at t = 0; slope: b of p/rho^gamma ~ r^b at t = 0, below 2 gamma. The pressure at the outer radius
-    drives it. Fields: density, velocity, pressure, energy, NaN outside the shell; numbers: gamma, first_outer_pressure.
-    Holds for time < collapse_time.
+    geometry        planar, cylindrical or spherical
+    inner           inner radius at t = 0, a free surface
+    outer           outer radius at t = 0
+    slope           exponent b of the entropy p/rho^gamma, below 2 gamma
+    density         density at the outer radius at t = 0
+    collapse_time   time at which every radius reaches 0
+
+    The pressure at the outer radius drives the shell.
+
+    Fields: density, velocity, pressure, energy; not a number (NaN) outside the shell. Numbers: gamma, first_outer_pressure (pressure at the
+    outer radius at time 0). Valid for times below collapse_time.
     """
     gamma = 1.0 + 2.0 / DIMENSION[geometry]
     if not 0.0 <= inner < outer or min(density, collapse_time) <= 0.0 or slope >= 2.0 * gamma:

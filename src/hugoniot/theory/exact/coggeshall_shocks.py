@@ -1,27 +1,29 @@
 r"""Coggeshall's adiabatic flows in which cold gas flows through a shock.
 
-With d = 1, 2, 3 for planar, cylindrical, spherical; both shocks are infinitely strong: the density rises by $(\gamma+1)/(\gamma-1)$.
+They test a solver with an infinitely strong shock in a moving or non-uniform flow. The density of the ideal gas, with the ratio of specific
+heats $\gamma$, rises by $(\gamma+1)/(\gamma-1)$ across the shock; $d$ = 1, 2, 3 in planar, cylindrical and spherical geometry. The
+numbers of the problems are Coggeshall's.
 
-**Problem 20.** Noh's implosion seen in a frame that expands at the rate a, $\gamma = 1 + 2/d$: with $h = 1 + at$ and the shock at
-$r_s = \tfrac12(\gamma-1)Ut$
+**Problem 20** is Noh's implosion in a frame that expands at the rate $a$, for $\gamma = 1 + 2/d$. With $h = 1 + at$, the speed $U$ of the
+inflow, its density $\rho_0$ at $t = 0$ and the shock at $r_s = \tfrac12(\gamma-1)Ut$,
 
 $$r > r_s:\; \rho = \rho_0h^{-d}\left(1 + \frac{Ut}{r}\right)^{d-1},\; u = \frac{ar - U}{h},\; p = 0; \qquad
   r < r_s:\; \rho = \rho_0h^{-d}\left(\frac{\gamma+1}{\gamma-1}\right)^{d},\; u = \frac{ar}{h},\; e = \frac{U^2}{2h^2}$$
 
-For this gamma alone the transformation to $(r/h, t/h)$ leaves the equations of the gas unchanged;
-then $r_s/h$ is Noh's shock at the time $t/h$.
+Only for this gamma does the transformation to $(r/h, t/h)$ leave the equations of the gas unchanged; $r_s/h$ is Noh's shock at the time
+$t/h$.
 
-**Problem 21.** Gas flows inwards, with a time of collapse $\tau$, and stops behind an outgoing shock. With $T = 1 - t/\tau$ and the shock
-at $R = R_0T^{-(\gamma-1)/2}$
+**Problem 21**: gas flows inwards with a time of collapse $\tau$ and stops behind an outgoing shock. With $T = 1 - t/\tau$ and the shock at
+$R = R_0T^{-(\gamma-1)/2}$
 
 $$r > R:\; \rho = \rho_0\left(\frac{r}{R_0}\right)^bT^{-b-d},\; u = -\frac{r}{\tau T},\; p = 0,\; b = -2 - \frac{2d}{\gamma+1}; \qquad
   r < R:\; \rho = \frac{\gamma+1}{\gamma-1}\rho_0\left(\frac{r}{R_0}\right)^{-2(\gamma+1)/(\gamma-1)},\; u = 0,\;
   p = \frac{\gamma+1}{2}\rho_0\frac{R_0^2}{\tau^2}$$
 
-The gas behind is at rest under a uniform pressure: the strong shock gives $dR/dt = \tfrac12(\gamma-1)R/(\tau T)$, and this value of b
-keeps its pressure constant. Coggeshall has d = 3, gamma = 5, b = -3, and u = r/t with an ingoing shock. With t > 0 that is the present flow
-reversed in time, in which the entropy would decrease across the shock. The mass around the centre is infinite unless
-2 (gamma + 1)/(gamma - 1) < d.
+where $R_0$ is the radius of the shock and $\rho_0$ the density just ahead of it at $t = 0$. The gas behind the shock is at rest under a
+uniform and constant pressure. The mass around the centre is infinite unless $2(\gamma+1)/(\gamma-1) < d$. Coggeshall has $d = 3$, $\gamma
+= 5$, $b = -3$, and $u = r/t$ with an ingoing shock. For $t > 0$ that is the present flow reversed in time, in which the entropy would
+decrease across the shock.
 
 Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 20 and 21; the positions of the shocks, and problem 21 for any gamma, follow from
 the jump conditions.
@@ -37,8 +39,12 @@ from hugoniot.theory.exact.solution import Solution
 def coggeshall_noh(geometry: str = "spherical", rate: float = 0.3, speed: float = 1.0, density: float = 1.0) -> Solution:
     """Noh's implosion in an expanding or contracting frame (Coggeshall): gamma = 1 + 2/d (planar 3, cylindrical 2, spherical 5/3).
 
-    rate: a, the frame's expansion at time 0, negative for contraction; speed: U > 0, inwards; density of the inflow at time 0.
-    Fields: density, velocity, pressure, energy; numbers: gamma, shock_speed. Holds for all times, for negative rates while 1 + a t > 0.
+    geometry   planar, cylindrical or spherical
+    rate       rate a of the frame's expansion at time 0, negative for contraction
+    speed      speed U of the inflow, towards r = 0
+    density    density of the inflow at time 0
+
+    Fields: density, velocity, pressure, energy. Numbers: gamma, shock_speed. Valid while 1 + a t > 0.
     """
     if min(speed, density) <= 0.0:
         raise OutOfRange(f"Coggeshall's implosion needs positive speed and density, got {speed:g}, {density:g}")
@@ -60,10 +66,16 @@ def coggeshall_noh(geometry: str = "spherical", rate: float = 0.3, speed: float 
 
 def coggeshall_stopping(geometry: str = "spherical", gamma: float = 5.0, radius: float = 0.1, density: float = 1.0,
                         collapse_time: float = 1.0) -> Solution:
-    """Cold inflowing gas that stops behind an outgoing shock, with power laws of the density (Coggeshall).
+    """Cold gas that flows inwards and stops behind an outgoing shock (Coggeshall), with densities that are powers of the radius.
 
-    radius: of the shock at time 0; density: ahead of it there. Fields: density, velocity, pressure, energy at r > 0.
-    Numbers: slope (b of rho ~ r^b ahead), pressure behind the shock. Holds for time < collapse_time.
+    geometry        planar, cylindrical or spherical
+    gamma           ratio of specific heats, above 1
+    radius          radius of the shock at time 0
+    density         density just ahead of the shock at time 0
+    collapse_time   time at which the inflow would reach r = 0
+
+    Fields: density, velocity, pressure, energy, at r > 0. Numbers: slope (exponent b of the density ahead), pressure (behind the shock).
+    Valid for times below collapse_time.
     """
     if gamma <= 1.0 or min(radius, density, collapse_time) <= 0.0:
         raise OutOfRange("Coggeshall's stopping gas needs gamma > 1 and a positive radius, density and collapse_time")

@@ -1,11 +1,15 @@
-r"""Smooth planar flow of a gamma = 3 gas, in which each Riemann invariant satisfies Burgers' equation separately.
+r"""Standing wave of a gamma = 3 gas between two walls: a smooth flow in which each Riemann invariant satisfies Burgers' equation.
 
-For gamma = 3, $p = \tfrac13 K\rho^3$ gives $c = \sqrt K\,\rho$, and $w_\pm = u \pm c$ satisfy
+It tests the order of accuracy of a solver in smooth flow, before any shock forms.
+
+For $\gamma = 3$ the sound speed is proportional to the density, and $w_\pm = u \pm c$ satisfy
 
 $$\partial_t w + w\,\partial_x w = 0 \quad\Longrightarrow\quad w_\pm(x,t) = w_\pm^0(x - w_\pm t)$$
 
-until the first characteristics cross at $t_b = -1/\min w_\pm^{0\prime}$. The problem here: gas at rest between walls at 0 and L with
-$\rho_0(x) = \bar\rho\,[1 + A\cos(k\pi x/L)]$ and uniform entropy. Mirror images at the walls keep u = 0 there.
+until characteristics first cross, at the time $-1/\min (w_\pm^0)'$. Here $w_\pm^0$ are the initial values. The gas starts from rest with
+uniform entropy and the density $\bar\rho\,[1 + A\cos(k\pi x/L)]$ between walls at 0 and $L$; mirror images keep the velocity zero there.
+
+* $\bar\rho$: `density`; $A$: `amplitude`; $k$: `half_waves`; $L$: `length`
 
 Source: Courant & Friedrichs, Supersonic Flow and Shock Waves (1948), section 40 (gamma = 3); derived here.
 """
@@ -32,10 +36,16 @@ def _carried(x, time, sign, level, amplitude, wave_number):
 
 def double_burgers(density: float = 1.0, pressure: float = 1.0 / 3.0, amplitude: float = 0.1, length: float = 1.0,
                    half_waves: int = 2) -> Solution:
-    """Smooth standing wave of a gamma = 3 gas between walls at 0 and `length`, at rest at time 0, uniform entropy.
+    """Smooth standing wave of a gamma = 3 gas between walls at 0 and length, from rest with uniform entropy.
 
-    density and pressure of the mean; amplitude A of the density, |A| < 1; half_waves = k. Fields: density, velocity, pressure,
-    energy, sound_speed. `numbers`: breaking_time, mean_sound_speed. Holds up to 0.98 of the breaking time.
+    density      mean density
+    pressure     pressure at the mean density
+    amplitude    relative amplitude A of the density at time 0, between -1 and 1, not 0
+    length       distance of the walls
+    half_waves   number k of half waves between the walls
+
+    Fields: density, velocity, pressure, energy, sound_speed. Numbers: breaking_time, mean_sound_speed (at the mean density).
+    Valid up to 0.98 of breaking_time.
     """
     if not (0.0 < abs(amplitude) < 1.0 and density > 0.0 and pressure > 0.0 and length > 0.0 and half_waves >= 1):
         raise OutOfRange("the standing wave needs 0 < |amplitude| < 1 and positive density, pressure, length and half_waves")

@@ -1,26 +1,34 @@
-r"""Detonation shock dynamics: fronts whose normal velocity decreases linearly with their curvature, $D_n = D(1 - \alpha\kappa)$.
+r"""Detonation shock dynamics: detonation fronts whose normal velocity decreases linearly with their curvature.
 
-**Expanding front**, cylindrical (n = 1) or spherical (n = 2), $\kappa = n/r$: $\dot r = D(1 - n\alpha/r)$, hence
+$$D_n = D(1 - \alpha\kappa)$$
+
+* $D_n$: normal velocity of the front; $D$: velocity of a plane front, `detonation_velocity`
+* $\kappa$: total curvature of the front; $\alpha$: `curvature_length`
+
+The solutions test programs that propagate such fronts, and give the effect of a charge's diameter on its detonation velocity.
+
+**Expanding front**, cylindrical ($n = 1$) or spherical ($n = 2$), with $\kappa = n/r$ and the radius $r_0$ at $t = 0$:
 
 $$t = \frac1D\left[r - r_0 + n\alpha\ln\frac{r - n\alpha}{r_0 - n\alpha}\right]$$
 
-**Rate stick**, steady at the speed $D_0 = \delta D$ along its axis; $\phi$ is the angle of the normal to the axis, 0 there and
-$\phi_e$ at the edge (the angle at which the explosive meets its confinement),
-$\kappa = d\phi/ds + \sin\phi/r$ (no second term in a slab):
+**Rate stick**: a cylinder (or a slab) of radius (half-width) $R$, in which the front is steady and moves along the axis at the speed
+$\delta D$. Let $\phi$ be the angle between the normal of the front and the axis, and $z$ the lag behind the axis:
 
 $$\delta\cos\phi = 1 - \alpha\left(\cos\phi\frac{d\phi}{dr} + \frac{\sin\phi}{r}\right), \qquad \frac{dz}{dr} = \tan\phi$$
 
-$\delta$ is found so that $\phi = \phi_e$ at the edge. For the slab both integrals have a closed form,
+without $\sin\phi/r$ in a slab. $\delta$ is found so that $\phi$ rises from 0 on the axis to the edge angle $\phi_e$, at which the
+explosive meets its confinement. For the slab both integrals have a closed form,
 
 $$R = \frac\alpha\delta\left[\frac{2}{\sqrt{1-\delta^2}}\arctan\!\left(\sqrt{\frac{1+\delta}{1-\delta}}\tan\frac{\phi_e}2\right)
   - \phi_e\right], \qquad z = \frac\alpha\delta\ln\frac{1 - \delta\cos\phi}{1 - \delta}$$
 
-**Arc**: a front rotates steadily at the angular velocity $\Omega$ in a ring of explosive. $D_n = \Omega r\cos\psi$ with $\psi$ the
-outward tilt of the normal from the direction of rotation, and $\kappa = \cos\psi\,d\psi/dr + \sin\psi/r$. The edge angles are given at both
-radii; $\Omega$ follows from the second, and the lag behind a radius through the inner edge from $d\vartheta/dr = \tan\psi/r$.
+**Arc**: a front rotates steadily at the angular velocity $\Omega$ in a ring of explosive. With $\psi$ the outward tilt of its normal from
+the direction of rotation, $D_n = \Omega r\cos\psi$ and $\kappa = \cos\psi\,d\psi/dr + \sin\psi/r$. $\psi$ is given at both edges;
+$\Omega$ follows from the second, and the angle $\vartheta$ by which the front lags behind its inner edge from $d\vartheta/dr =
+\tan\psi/r$.
 
 Source: Bdzil, J. Fluid Mech. 108 (1981) 195; Bdzil and Stewart, Phys. Fluids A 1 (1989) 1261; Short and Bdzil, J. Fluid Mech. 479 (2003)
-39; re-derived here.
+39; derived here.
 """
 
 import math
@@ -37,10 +45,17 @@ _TIGHT = {"rtol": 1e-12, "atol": 1e-14, "method": "DOP853"}
 
 def dsd_expansion(geometry: str = "cylindrical", detonation_velocity: float = 8000.0, curvature_length: float = 1e-4,
                   radius: float = 0.01) -> Solution:
-    """Detonation shock dynamics: a cylindrical or spherical front that expands from a radius, D_n = D(1 - alpha kappa).
+    """Detonation shock dynamics: a cylindrical or spherical front that expands from a given radius.
 
-    curvature_length: alpha, m. Positions are radii from the first one on; the field is burn_time. The front is at
-    `jumps`; `numbers`: first_velocity, delay (how much later than a plane front a far radius burns, per factor e of radius).
+    geometry              cylindrical or spherical
+    detonation_velocity   velocity D of a plane front
+    curvature_length      alpha in D_n = D (1 - alpha kappa)
+    radius                radius of the front at time 0, above n alpha
+
+    Positions are radii outside `radius`.
+
+    Fields: burn_time (s), shock_velocity. Numbers: first_velocity (of the front at `radius`), delay (time by which a distant radius burns
+    later than from a plane front, for every factor e in radius).
     """
     n = {"cylindrical": 1, "spherical": 2}.get(geometry, 0)
     if not n:
@@ -68,11 +83,18 @@ def dsd_expansion(geometry: str = "cylindrical", detonation_velocity: float = 80
 
 def dsd_rate_stick(geometry: str = "cylindrical", detonation_velocity: float = 8000.0, curvature_length: float = 1e-3,
                    radius: float = 0.02, edge_angle_degrees: float = 40.0) -> Solution:
-    """Detonation shock dynamics: the steady front of a rate stick, its speed and its shape, D_n = D(1 - alpha kappa).
+    """Detonation shock dynamics: speed and shape of the steady front in a rate stick or a slab.
 
-    geometry cylindrical (a stick) or planar (a slab of half-width radius); edge_angle_degrees: of the front's normal to the axis at
-    the edge. Positions are distances from the axis; the time does not matter.
-    Fields: lag (m, behind the axis), slope_angle (degrees), shock_velocity (normal). `numbers`: axial_velocity, velocity_deficit, edge_lag.
+    geometry              cylindrical (a stick) or planar (a slab)
+    detonation_velocity   velocity D of a plane front
+    curvature_length      alpha in D_n = D (1 - alpha kappa)
+    radius                radius of the stick, or half the width of the slab
+    edge_angle_degrees    angle between the normal of the front and the axis at the edge, between 0 and 90
+
+    Positions are distances from the axis. The solution does not depend on time.
+
+    Fields: lag (m, behind the axis), slope_angle (degrees), shock_velocity (normal to the front).
+    Numbers: axial_velocity, velocity_deficit (1 - axial_velocity/D), edge_lag (m).
     """
     edge = math.radians(edge_angle_degrees)
     known = geometry in ("cylindrical", "planar")
@@ -95,12 +117,19 @@ def dsd_rate_stick(geometry: str = "cylindrical", detonation_velocity: float = 8
 
 def dsd_arc(detonation_velocity: float = 8000.0, curvature_length: float = 1e-3, inner: float = 0.04, outer: float = 0.06,
             inner_angle_degrees: float = 0.0, outer_angle_degrees: float = 30.0) -> Solution:
-    """Detonation shock dynamics: a front that rotates steadily in a ring of explosive, D_n = D(1 - alpha kappa).
+    """Detonation shock dynamics: a front that rotates steadily in a ring of explosive.
 
-    The angles are those of the front's normal to the direction of rotation at the two edges, positive where the front falls back
-    towards the edge. Positions are radii.
-    Fields: lag (m along the circle, behind the point at the inner edge), slope_angle (degrees, outwards), shock_velocity (normal).
-    `numbers`: angular_velocity (rad/s), inner_velocity and outer_velocity (along the circles).
+    detonation_velocity   velocity D of a plane front
+    curvature_length      alpha in D_n = D (1 - alpha kappa)
+    inner                 inner radius of the ring
+    outer                 outer radius of the ring
+    inner_angle_degrees   angle between the normal of the front and the direction of rotation at the inner edge
+    outer_angle_degrees   the same at the outer edge; both are positive where the front falls back towards the edge
+
+    Positions are radii. The solution does not depend on time.
+
+    Fields: lag (m along the circle, behind the point at the inner edge), slope_angle (degrees, outwards), shock_velocity (normal to the
+    front). Numbers: angular_velocity (rad/s), inner_velocity and outer_velocity (along the edges).
     """
     if min(detonation_velocity, curvature_length, inner) <= 0.0 or not outer > inner:
         raise OutOfRange("the ring needs positive lengths and outer > inner")

@@ -1,13 +1,16 @@
-r"""Detonation shock dynamics of a rate stick from its start: a plane front that becomes the steady one, $D_n = D(1 - \alpha\kappa)$.
+r"""Detonation shock dynamics of a rate stick from its start: a plane front that becomes the steady one.
 
-With the front at $z(r, t)$ and $z' = \partial z/\partial r$, the normal velocity and the curvature of `dsd` give one parabolic equation,
+It tests programs that propagate curved fronts in time, and shows over which distance a front becomes steady.
+
+The normal velocity is $D_n = D(1 - \alpha\kappa)$ with the velocity $D$ of a plane front, the curvature $\kappa$ and the length $\alpha$
+(`curvature_length`). For the position $z(r, t)$ of the front along the axis, with $z' = \partial z/\partial r$, this is
 
 $$\frac{\partial z}{\partial t} = D\left[\sqrt{1 + z'^2} + \alpha\left(\frac{z''}{1 + z'^2} + n\frac{z'}r\right)\right], \qquad
   z(r, 0) = 0, \quad z'(0, t) = 0, \quad z'(R, t) = -\tan\phi_e$$
 
-with n = 1 in a stick and 0 in a slab. It is solved by collocation at Chebyshev points across the whole width, none of them on the axis, in
-steps with error control. At early times the edge lags as in heat conduction from a wall of prescribed flux, by
-$2\tan\phi_e\sqrt{\alpha Dt/\pi}$ for a small angle.
+with $n = 1$ in a stick and 0 in a slab, the radius (half-width) $R$ and the edge angle $\phi_e$. At early times the edge lags by
+$2\tan\phi_e\sqrt{\alpha Dt/\pi}$ for a small angle. The equation is solved by collocation at Chebyshev points across the width, with
+error control in time.
 
 Source: Bdzil and Stewart, Phys. Fluids A 1 (1989) 1261, for the model; derived and solved here.
 """
@@ -27,12 +30,18 @@ POINTS = 64
 
 def dsd_rate_stick_start(geometry: str = "cylindrical", detonation_velocity: float = 8000.0, curvature_length: float = 1e-3,
                          radius: float = 0.02, edge_angle_degrees: float = 40.0) -> Solution:
-    """Detonation shock dynamics: the front of a rate stick lit as a plane at z = 0, on its way to the steady one.
+    """Detonation shock dynamics: the front of a rate stick lit as a plane at z = 0, until it is steady.
 
-    geometry cylindrical (a stick) or planar (a slab of half-width radius); edge_angle_degrees: of the front's normal to the axis at
-    the edge. Positions are distances from the axis.
-    Fields: front_position (m along the axis), lag (m, behind the axis), slope_angle (degrees), shock_velocity (normal).
-    `numbers`: steady_velocity, relaxation_time (R^2/(alpha D), in which the shape becomes steady).
+    geometry              cylindrical (a stick) or planar (a slab)
+    detonation_velocity   velocity D of a plane front
+    curvature_length      alpha in D_n = D (1 - alpha kappa)
+    radius                radius R of the stick, or half the width of the slab
+    edge_angle_degrees    angle between the normal of the front and the axis at the edge, between 0 and 90
+
+    Positions are distances from the axis.
+
+    Fields: front_position (m along the axis), lag (m, behind the axis), slope_angle (degrees), shock_velocity (normal to the front).
+    Numbers: steady_velocity (along the axis), relaxation_time (R^2/(alpha D), in which the shape becomes steady).
     """
     steady = dsd_rate_stick(geometry, detonation_velocity, curvature_length, radius, edge_angle_degrees)
     relaxation = radius**2 / (curvature_length * detonation_velocity)

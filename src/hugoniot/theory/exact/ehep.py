@@ -1,22 +1,26 @@
-r"""Escape of explosive products: a gamma = 3 slab detonated at a piston expands into vacuum when the front reaches its free end.
+r"""Escape of detonation products: a slab of gamma = 3 explosive, lit at a piston, expands into vacuum when the front reaches its free end.
 
-Characteristics of a gamma = 3 gas are straight. Slab 0 < x < L, piston speed U from x = 0, t* = L/D, $w_\pm = u \pm c$:
+It tests a solver in expansion from a detonation to vacuum and in the reflection of the release from a moving piston.
 
-| region | w+ | w- |
+The slab lies in $0 < x < L$, the piston moves at the speed $U$ from $x = 0$, and the front reaches the free end at $t^* = L/D$. In a
+gamma = 3 gas the characteristics are straight and $w_\pm = u \pm c$ are constant along them:
+
+| region | $w_+$ | $w_-$ |
 |---|---|---|
-| Taylor fan | x/t | -D/2 |
-| uniform, at the piston | 2U + D/2 | -D/2 |
-| fan crossed by the escape wave | x/t | (x - L)/(t - t*) |
-| uniform crossed by the escape wave | 2U + D/2 | (x - L)/(t - t*) |
-| reflected from the piston | 2U - w-(s) | (x - L)/(t - t*) |
+| Taylor fan | $x/t$ | $-D/2$ |
+| uniform, at the piston | $2U + D/2$ | $-D/2$ |
+| fan crossed by the escape wave | $x/t$ | $(x - L)/(t - t^*)$ |
+| uniform crossed by the escape wave | $2U + D/2$ | $(x - L)/(t - t^*)$ |
+| reflected from the piston | $2U - w_-(s)$ | $(x - L)/(t - t^*)$ |
 
-where s is the time at which the characteristic through (x, t) left the piston: $x = Us + [2U - w_-(s)](t - s)$ with
-$w_-(s) = (Us - L)/(s - t*)$, which gives
-$s = [x t^* + t(L - 2Ut^*)]/[x + L - U(t + t^*)]$. The gas front runs on at D.
+Here $s = [x t^* + t(L - 2Ut^*)]/[x + L - U(t + t^*)]$ is the time at which the characteristic through $(x, t)$ left the piston, and
+$w_-(s) = (Us - L)/(s - t^*)$. The front of the gas continues at the speed $D$. The state is
 
-$c = (w_+ - w_-)/2$, $\rho = 16\rho_0c/(9D)$, $p = \rho c^2/3$.
+$$u = \tfrac12(w_+ + w_-), \qquad c = \tfrac12(w_+ - w_-), \qquad \rho = \frac{16\rho_0c}{9D}, \qquad p = \tfrac13\rho c^2$$
 
-Source: the problem "escape of HE products" of ExactPack (Dykema and others, UCRL-ID-147096); solution re-derived.
+* $D$: `detonation_velocity`; $\rho_0$: reference density of the explosive, `density`; $U$: `piston`; $L$: `length`
+
+Source: the problem "escape of HE products" of ExactPack (Dykema and others, UCRL-ID-147096); solution derived here.
 """
 
 import numpy as np
@@ -26,10 +30,16 @@ from hugoniot.theory.exact.solution import Solution
 
 
 def ehep(detonation_velocity: float = 8500.0, density: float = 1600.0, piston: float = 500.0, length: float = 0.01) -> Solution:
-    """Escape of products of a gamma = 3 slab lit at a piston (speed `piston` from x = 0), free at x = length.
+    """Escape of the products of a gamma = 3 slab, lit at a moving piston, into vacuum.
 
-    Fields: density, velocity, pressure, energy, sound_speed, burn_fraction; NaN where the piston is; beyond the gas front density 0
-    and the front's velocity. `numbers`: escape_time, piston_meets_escape_wave. The defaults are ExactPack's in SI.
+    detonation_velocity   detonation velocity D
+    density               reference density of the explosive
+    piston                speed of the piston from x = 0 at time 0, from 0 to D/4
+    length                length of the slab
+
+    Fields: density, velocity, pressure, energy, sound_speed, burn_fraction; not a number (NaN) where the piston is; beyond the front of
+    the gas density 0 and the velocity of the front. Numbers: escape_time (of the front at the free end), piston_meets_escape_wave (s).
+    The defaults are those of ExactPack.
     """
     d, up, length_ = detonation_velocity, piston, length
     if min(d, density, length) <= 0.0 or not 0.0 <= up < d / 4.0:

@@ -1,22 +1,31 @@
 r"""A piston driven at constant speed into an elastic-perfectly plastic solid: the exact elastic precursor and plastic shock.
 
-Pressure on the linear us-up Hugoniot with $\epsilon = 1-\rho_0/\rho$,
-$p = p_H(\rho)\left(1 - \tfrac12\tilde\Gamma\,\epsilon\right) + \rho\Gamma e$, where
-$p_H = \rho_0 c_0^2\epsilon/(1 - s\epsilon)^2$; `rho_gamma_constant` takes $\rho\Gamma = \rho_0\Gamma_0$, otherwise Gamma = Gamma_0 (then
-$\tilde\Gamma = \Gamma_0\rho/\rho_0$). Uniaxial strain reaches yield, $|s_1| = \tfrac23 Y$, at
+It tests the strength of a solver: the Hugoniot elastic limit, the two-wave structure, and the single shock of a slow or a very fast piston.
+
+The pressure is of Mie-Grüneisen form on the Hugoniot $U_s = c_0 + s u_p$. With $\epsilon = 1-\rho_0/\rho$,
+
+$$p = p_H\left(1 - \tfrac12\tilde\Gamma\,\epsilon\right) + \rho\Gamma e, \qquad p_H = \frac{\rho_0 c_0^2\epsilon}{(1 - s\epsilon)^2}, \qquad
+  \tilde\Gamma = \frac{\rho\Gamma}{\rho_0}$$
+
+* $\rho_0$, $c_0$, $s$: `solid.rho0`, `solid.c0`, `solid.s`
+* $\Gamma$: Grüneisen parameter, either $\Gamma_0\rho_0/\rho$ (`solid.rho_gamma_constant` true) or the constant $\Gamma_0$, `solid.gamma0`
+* $Y$, $G$: yield stress and shear modulus, `solid.yield_stress`, `solid.shear_modulus`
+
+In uniaxial strain the solid yields at the density
 
 $$\rho_Y = \rho_0 e^{Y/2G}\ (\text{hypoelastic}), \qquad \rho_Y = \rho_0/(1 - Y/2G)\ (\text{hyperelastic, infinitesimal strain})$$
 
-Both waves are shocks: across each, with $\sigma = p + \tfrac23 Y$ and the state a ahead (rest: rho0, 0, 0, 0),
+Both waves are shocks. Across each, with the longitudinal stress $\sigma$ (which is $p + \tfrac23 Y$ once the solid yields), the velocity
+$U$ of the shock and the index a for the state ahead,
 
 $$(u-u_a)^2 = (\sigma-\sigma_a)\left(\tfrac1{\rho_a}-\tfrac1\rho\right), \qquad
   e-e_a = \tfrac12(\sigma+\sigma_a)\left(\tfrac1{\rho_a}-\tfrac1\rho\right), \qquad
   U = u_a + \frac{\sigma-\sigma_a}{\rho_a(u-u_a)}$$
 
-A piston slower than the yield velocity drives one elastic shock; a piston so fast that the plastic shock would outrun the precursor
-drives a single shock.
+A piston slower than the particle velocity of the elastic limit drives one elastic shock. A piston so fast that the plastic shock would
+outrun the precursor drives a single shock.
 
-Source: Udaykumar, Tran, Belk & Vanden, J. Comput. Phys. 186 (2003) 136, and ExactPack's ep_piston for the yield-density variants;
+Source: Udaykumar, Tran, Belk & Vanden, J. Comput. Phys. 186 (2003) 136, and ExactPack's ep_piston for the two yield densities;
 the relations are conservation of mass, momentum and energy.
 """
 
@@ -116,10 +125,22 @@ def waves(solid: Solid, piston: float, strain: str = "hypo") -> list[State]:
 
 
 def elastic_plastic_piston(solid: Solid, piston: float, strain: str = "hypo") -> Solution:
-    """Piston at speed `piston` (m/s) from x = 0 into an elastic-plastic solid at rest in x > 0: precursor and plastic shock.
+    """Piston at constant speed into an elastic-plastic solid at rest in x > 0: precursor and plastic shock.
 
-    Fields: density, velocity, pressure, energy, stress (compression positive), deviator_radial; NaN where the piston has been.
-    `numbers`: wave_count, elastic_* and plastic_* density, velocity, pressure, energy, stress, wave_speed (equal with one wave).
+    solid                      the constants below, or on the command line a library material with a linear Us-up law and a strength law
+    solid.rho0                 reference density
+    solid.c0                   bulk sound speed, constant of the linear Us-up relation
+    solid.s                    slope of the linear Us-up relation
+    solid.gamma0               Grüneisen parameter at the reference density
+    solid.shear_modulus        shear modulus
+    solid.yield_stress         yield stress in uniaxial stress
+    solid.rho_gamma_constant   true: density times Grüneisen parameter is constant; false: the Grüneisen parameter is constant
+    piston                     speed of the piston, into the solid
+    strain                     hypo (logarithmic strain) or hyper (infinitesimal strain)
+
+    Fields: density, velocity, pressure, energy, stress (longitudinal, positive in compression), deviator_radial (pressure - stress); not a
+    number (NaN) where the piston has passed. Numbers: wave_count (1 or 2), and density, velocity, pressure, energy, stress and wave_speed
+    behind each wave, with the prefixes elastic_ and plastic_ (equal if there is one wave).
     """
     if piston <= 0.0:
         raise OutOfRange(f"piston = {piston:g} m/s must be positive (into the solid)")
@@ -148,15 +169,15 @@ EXACTPACK = Solid(2790.0, 5330.0, 1.34, 2.0, 28.6e9, 0.26e9)
 
 
 def aluminium_piston() -> Solution:
-    """Aluminium piston at 400 m/s: precursor and plastic shock."""
+    """Aluminium driven by a piston at 400 m/s: precursor and plastic shock."""
     return elastic_plastic_piston(ALUMINIUM, 400.0)
 
 
 def copper_piston() -> Solution:
-    """Copper piston at 20 m/s: precursor and plastic shock."""
+    """Copper driven by a piston at 20 m/s: precursor and plastic shock."""
     return elastic_plastic_piston(COPPER, 20.0)
 
 
 def udaykumar_piston() -> Solution:
-    """Aluminium piston at 100 m/s with the constants of ExactPack's ep_piston, hypoelastic."""
+    """Aluminium driven by a piston at 100 m/s, hypoelastic, with the constants of ExactPack's ep_piston."""
     return elastic_plastic_piston(EXACTPACK, 100.0)

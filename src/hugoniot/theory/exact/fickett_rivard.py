@@ -1,15 +1,20 @@
-r"""Steady detonation with a resolved reaction zone: ideal-gas explosive, rate $\dot\lambda = k\sqrt{1-\lambda}$ (SDRZ).
+r"""Steady detonation with a resolved reaction zone: an ideal-gas explosive that burns at the rate $k\sqrt{1-\lambda}$.
 
-With $e = pv/(\gamma-1) - \lambda Q$, no pressure ahead and D at its CJ value, $Q = D^2/2(\gamma^2-1)$, the steady states between the
-shock and the CJ point depend on $q = \sqrt{1-\lambda}$ alone:
+It tests a reactive solver: the pressure spike at the shock, the profile of the reaction zone and its end at a finite distance.
+
+The explosive obeys $e = pv/(\gamma-1) - \lambda Q$ with the burn fraction $\lambda$, the specific volume $v$ and $Q = D^2/2(\gamma^2-1)$,
+so that $D$ is the CJ velocity. There is no pressure ahead. Between the shock and the CJ point the state depends on $q = \sqrt{1-\lambda}$
+alone:
 
 $$p = \frac{\rho_0 D^2}{\gamma+1}(1+q), \qquad u = \frac{D}{\gamma+1}(1+q), \qquad \rho = \rho_0\frac{D}{D-u}$$
 
-A particle that was shocked a time tau ago has $q = 1 - k\tau/2$ and lies behind the shock by
+A particle shocked a time $\tau$ ago has $q = 1 - k\tau/2$ and lies behind the shock by
 
-$$\xi(\tau) = \int_0^\tau (D-u)\,d\tau' = D\left[\frac{\gamma-1}{\gamma+1}\,\tau + \frac{k\tau^2}{4(\gamma+1)}\right]$$
+$$\xi(\tau) = D\left[\frac{\gamma-1}{\gamma+1}\,\tau + \frac{k\tau^2}{4(\gamma+1)}\right]$$
 
-Behind the end of the reaction, tau = 2/k, the CJ state is uniform (the piston moves with it).
+The reaction ends at $\tau = 2/k$. Behind it the CJ state is uniform, as behind a piston at the CJ particle velocity.
+
+* $D$: `detonation_velocity`; $\rho_0$: reference density, `density`; $\gamma$: `gamma`; $k$: `rate`
 
 Source: Fickett & Davis, Detonation (1979), chapter 5, after Fickett & Rivard; the problem SDRZ of ExactPack (gamma = 3, k = 2/us).
 """
@@ -21,10 +26,15 @@ from hugoniot.theory.exact.solution import Solution
 
 
 def fickett_rivard(detonation_velocity: float = 8500.0, density: float = 1600.0, gamma: float = 3.0, rate: float = 2e6) -> Solution:
-    """Supported CJ detonation along +x with a resolved reaction zone, shock at x = D t.
+    """CJ detonation along +x with a resolved reaction zone, supported by a piston; the shock is at x = D t.
 
-    rate: k of the square-root law, 1/s. Fields: density, velocity, pressure, energy (chemical energy counted as negative of what is
-    released), burn_fraction. `numbers`: cj_pressure, vn_pressure, zone_length, reaction_time, heat_of_reaction.
+    detonation_velocity   detonation velocity D
+    density               reference density of the explosive
+    gamma                 ratio of specific heats, above 1
+    rate                  constant k of the rate k sqrt(1 - burn fraction)
+
+    Fields: density, velocity, pressure, energy (p v/(gamma - 1) less the chemical energy released so far), burn_fraction.
+    Numbers: cj_pressure, vn_pressure (just behind the shock), zone_length (m), reaction_time (s), heat_of_reaction (J/kg).
     """
     if gamma <= 1.0 or min(detonation_velocity, density, rate) <= 0.0:
         raise OutOfRange("the reaction zone needs gamma > 1 and positive detonation velocity, density and rate")

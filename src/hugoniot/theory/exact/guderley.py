@@ -1,23 +1,33 @@
-r"""Guderley's converging shock: the similarity exponent, the whole flow before and after focussing, any gamma and curved geometry.
+r"""Guderley's problem: a strong shock that converges on an axis or a centre in cold gas, focuses at t = 0 and is reflected.
 
-A strong shock at $R = A\,(-t)^{\alpha}$ runs into cold gas at rest towards r = 0 at t = 0, and returns at $R = A\,(t/B)^\alpha$.
-With $\eta = t\,r^{-1/\alpha}$ (A = 1) and b = 1/alpha the flow is $u = r^{1-b}U(\eta)$, $c^2 = r^{2-2b}S(\eta)$,
-$\rho = \rho_0e^{L(\eta)}$; with $m = 1 - b\eta U$ the equations of motion are, regular at eta = 0 (the moment of focussing),
+It tests a solver in self-similar implosion, where the shock accelerates without bound, and gives the similarity exponent for any gamma.
+
+The shock is at $R = A\,(-t)^{\alpha}$ before focusing and at $R = A\,(t/B)^\alpha$ after it, with the similarity exponent $\alpha$ and a
+constant $B$. With $A = 1$, $b = 1/\alpha$ and $\eta = t\,r^{-b}$ the flow is
+
+$$u = r^{1-b}U(\eta), \qquad c^2 = r^{2-2b}S(\eta), \qquad \rho = \rho_0e^{L(\eta)}$$
+
+* $\rho_0$: density of the gas ahead, `density`; $A$: `amplitude`, so that the shock is at the radius $A$ at the time $-1$
+* $\gamma$: ratio of specific heats; $d$: 2 cylindrical, 3 spherical
+
+With $m = 1 - b\eta U$ the equations of motion, regular at $\eta = 0$ (the moment of focusing), are
 
 $$U'\,(m^2 - b^2\eta^2S) = -m\left[(1-b)U^2 + \tfrac{2-2b}{\gamma}S\right] - b\eta SU\left[(d-b) + \tfrac{2-2b}{\gamma}\right]$$
 $$L' = \left[b\eta U' - (d-b)U\right]/m, \qquad S' = S\left[(\gamma-1)L' - (2-2b)U/m\right]$$
 
-The bracket on the left vanishes on a characteristic between the shock (eta = -1) and eta = 0; only for one exponent does the flow pass
-through it smoothly. In terms of $v = b\eta U$, $z = b^2\eta^2S$ the flow is a solution of
+**Exponent.** The factor of $U'$ vanishes on a characteristic between the shock ($\eta = -1$) and $\eta = 0$, and only for one exponent
+does the flow pass through it smoothly. In terms of $v = b\eta U$ and $z = b^2\eta^2S$ the flow satisfies
 
-$$\Delta = (1-v)^2 - z, \quad \Delta_1 = z\left(d\,v - \tfrac{2(b-1)}{\gamma}\right) - v(v-b)(v-1), \quad
-\frac{dz}{dv} = \frac{z}{v-1}\left\{\left[2(b-v) - (\gamma-1)d\,v\right]\frac{\Delta}{\Delta_1} - (\gamma-1)\right\}$$
+$$\frac{dz}{dv} = \frac{z}{v-1}\left\{\left[2(b-v) - (\gamma-1)d\,v\right]\frac{\Delta}{\Delta_1} - (\gamma-1)\right\}, \qquad
+\Delta = (1-v)^2 - z, \quad \Delta_1 = z\left(d\,v - \tfrac{2(b-1)}{\gamma}\right) - v(v-b)(v-1)$$
 
-from the shock, $v = 2/(\gamma+1)$, $z = 2\gamma(\gamma-1)/(\gamma+1)^2$, to a common zero of Delta and Delta_1. With too large an exponent
-Delta vanishes first, with too small an exponent Delta_1, so the exponent is found by bisection. The crossing is computed by Chebyshev
-collocation, and the constant B of the reflected shock by bisection, from the condition $v \to 2(b-1)/(d\gamma)$ at the centre.
+from the shock, $v = 2/(\gamma+1)$, $z = 2\gamma(\gamma-1)/(\gamma+1)^2$, to a common zero of $\Delta$ and $\Delta_1$. With too large an
+exponent $\Delta$ vanishes first, with too small an exponent $\Delta_1$, so the exponent is found by bisection. The constant $B$ is found
+by bisection from the condition $v \to 2(b-1)/(d\gamma)$ at the centre.
 
-Source: Guderley, Luftfahrtforschung 19 (1942) 302; Lazarus, SIAM J. Numer. Anal. 18 (1981) 316; equations re-derived.
+Implementation: the crossing of the characteristic is computed by Chebyshev collocation.
+
+Source: Guderley, Luftfahrtforschung 19 (1942) 302; Lazarus, SIAM J. Numer. Anal. 18 (1981) 316; equations derived here.
 """
 
 from functools import lru_cache
@@ -201,12 +211,18 @@ def converging(geometry: str, gamma: float) -> Converging:
 
 
 def guderley(geometry: str = "spherical", gamma: float = 1.4, density: float = 1.0, amplitude: float = 1.0) -> Solution:
-    """Guderley's converging and reflected shock: at amplitude (-t)^alpha before focussing at t = 0, amplitude (t/B)^alpha after.
+    """Guderley's converging and reflected shock in cold gas, focused at time 0.
 
-    Fields at r > 0: density, velocity, pressure, energy, sound_speed; cold gas at rest ahead of the converging shock. Closer to the
-    centre than about 1e-5 of the reflected shock's radius, pressure and density are kept constant. `numbers`: alpha, reflected_time (B),
-    and the densities focus_density (at t = 0) and reflected_density (behind the reflected shock). Holds for all times, including negative
-    ones.
+    geometry    cylindrical or spherical
+    gamma       ratio of specific heats, above 1
+    density     density of the gas ahead
+    amplitude   A in R = A (-t)^alpha, the radius of the shock (m) at the time -1 s
+
+    Valid for all times: negative before focusing, positive after it. Closer to the centre than about 1e-5 of the radius of the reflected
+    shock, pressure and density are kept constant.
+
+    Fields: density, velocity, pressure, energy, sound_speed, at r > 0. Numbers: alpha (similarity exponent), reflected_time (B),
+    focus_density (at time 0), reflected_density (behind the reflected shock).
     """
     if density <= 0.0 or amplitude <= 0.0:
         raise OutOfRange(f"a converging shock needs positive density and amplitude, got {density:g} and {amplitude:g}")

@@ -1,11 +1,18 @@
-r"""Kidder's isentropic compression of a shell: self-similar and without shocks, to any density.
+r"""Kidder's shell: isentropic compression of a shell of ideal gas to any density, without a shock.
 
-For $\gamma = 1 + 2/d$ every radius moves as $R(r,t) = r\,h(t)$, $h = \sqrt{1 - (t/\tau)^2}$, and
+It tests whether a solver heats gas in smooth convergent compression.
 
-$$\rho(R,t) = \rho_0(R/h)\,h^{-2/(\gamma-1)}, \quad p = s\rho^\gamma, \quad u = -\frac{R\,t}{\tau^2 - t^2}, \qquad
+For $\gamma = 1 + 2/d$, with $d$ = 1, 2, 3 in planar, cylindrical and spherical geometry, every initial radius $r$ moves as $R = r\,h(t)$
+with $h = \sqrt{1 - (t/\tau)^2}$, and
+
+$$\rho = \rho_0(R/h)\,h^{-2/(\gamma-1)}, \quad p = s\rho^\gamma, \quad u = -\frac{R\,t}{\tau^2 - t^2}, \qquad
 \rho_0(r)^{\gamma-1} = \frac{(r_2^2 - r^2)\rho_1^{\gamma-1} + (r^2 - r_1^2)\rho_2^{\gamma-1}}{r_2^2 - r_1^2}$$
 
-with the focussing time $\tau^2 = \tfrac12(\gamma-1)\,(r_2^2 - r_1^2)/(c_2^2 - c_1^2)$. The shell is driven by p(r1 h, t) and p(r2 h, t).
+* $r_1$, $\rho_1$, $c_1$ and $r_2$, $\rho_2$, $c_2$: radius, density and sound speed of the inner and the outer surface at $t = 0$
+* $\rho_0(r)$: initial density; $s$: uniform entropy constant $p/\rho^\gamma$
+* $\tau$: time of collapse, $\tau^2 = \tfrac12(\gamma-1)\,(r_2^2 - r_1^2)/(c_2^2 - c_1^2)$
+
+The pressures of the solution at the two surfaces drive the shell.
 
 Source: Kidder, Nucl. Fusion 16 (1976) 3; Maire, J. Comput. Phys. 228 (2009) 2391, section 6.
 """
@@ -19,12 +26,17 @@ from hugoniot.theory.exact.solution import Solution
 
 def kidder(geometry: str = "cylindrical", inner: float = 0.9, outer: float = 1.0, inner_pressure: float = 0.1,
            outer_pressure: float = 10.0, outer_density: float = 0.01) -> Solution:
-    """Kidder's isentropic shell.
+    """Kidder's shell: isentropic compression of an ideal gas, gamma = 1 + 2/d (planar 3, cylindrical 2, spherical 5/3).
 
-    gamma = 1 + 2/d follows from the geometry (planar 3, cylindrical 2, spherical 5/3).
+    geometry         planar, cylindrical or spherical
+    inner            inner radius at time 0
+    outer            outer radius at time 0
+    inner_pressure   pressure at the inner radius at time 0
+    outer_pressure   pressure at the outer radius at time 0, above inner_pressure
+    outer_density    density at the outer radius at time 0
 
-    Fields: density, velocity, pressure, energy, sound_speed; NaN outside the shell. `numbers`: gamma, tau, inner_density,
-    entropy_constant. Radii at time t are those at time 0 times h = sqrt(1 - (t/tau)^2); the solution holds for t < tau.
+    Fields: density, velocity, pressure, energy, sound_speed; not a number (NaN) outside the shell.
+    Numbers: gamma, tau (time of collapse, s), inner_density, entropy_constant (p/rho^gamma). Valid for times below tau.
     """
     if not (0.0 <= inner < outer and 0.0 < inner_pressure < outer_pressure and outer_density > 0.0):
         raise OutOfRange("Kidder's shell needs 0 <= inner < outer radius, 0 < inner < outer pressure and a positive density")

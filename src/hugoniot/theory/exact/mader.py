@@ -1,12 +1,17 @@
-r"""The Taylor wave: a detonation along +x, lit at a wall or piston, followed by a rarefaction down to the piston's speed.
+r"""Taylor wave: a plane detonation, lit at a wall or a piston, and the rarefaction that follows it.
 
-Ideal-gas products: CJ state $u = D/(\gamma+1)$, $c = \gamma D/(\gamma+1)$, $p = \rho_0D^2/(\gamma+1)$; behind it, with the invariant
-$u - 2c/(\gamma-1)$ uniform and $u + c = x/t$,
+It tests a solver with programmed burn: the pressure at the front and the shape of the release behind it.
+
+The products are an ideal gas with the CJ state $u = D/(\gamma+1)$, $c = \gamma D/(\gamma+1)$, $p = \rho_0D^2/(\gamma+1)$ at the front $x
+= Dt$. Behind it
 
 $$u = \frac{2}{\gamma+1}\left(\frac xt - \frac D2\right), \qquad c = \frac D2 + \frac{\gamma-1}{2}u, \qquad
   \frac{\rho}{\rho_{CJ}} = \left(\frac{c}{c_{CJ}}\right)^{2/(\gamma-1)}$$
 
-until u equals the piston speed U, at $x = (\tfrac D2 + \tfrac{\gamma+1}{2}U)\,t$. At a wall (U = 0) the tail is half-way to the front.
+until $u$ equals the speed $U$ of the piston, at $x = (\tfrac D2 + \tfrac{\gamma+1}{2}U)\,t$; from there to the piston the state is
+uniform. Behind a wall ($U = 0$) the uniform region reaches half-way to the front.
+
+* $D$: `detonation_velocity`; $\rho_0$: reference density, `density`; $\gamma$: `gamma`; $U$: `piston`
 
 Source: Taylor, Proc. R. Soc. A 200 (1950) 235; Mader, Numerical Modeling of Detonations (1979); the problem of that name in ExactPack.
 """
@@ -18,10 +23,16 @@ from hugoniot.theory.exact.solution import Solution
 
 
 def mader(detonation_velocity: float = 8000.0, density: float = 1875.0, gamma: float = 3.0, piston: float = 0.0) -> Solution:
-    """Taylor wave: planar detonation lit at x = 0 at time 0 with a wall or a piston (speed below the CJ particle velocity) behind.
+    """Taylor wave: plane detonation along +x, lit at x = 0 at time 0, with a wall or a piston behind it.
 
-    Fields: density, velocity, pressure, energy (zero chemical energy left), sound_speed, burn_fraction; NaN where the piston is.
-    `numbers`: cj_pressure, cj_velocity, cj_density, tail_speed, tail_pressure, heat_of_reaction.
+    detonation_velocity   detonation velocity D
+    density               reference density of the explosive
+    gamma                 ratio of specific heats of the products, above 1
+    piston                speed of the piston, from -D/(gamma - 1) to the CJ particle velocity D/(gamma + 1); 0: a wall
+
+    Fields: density, velocity, pressure, energy (without chemical energy), sound_speed, burn_fraction; not a number (NaN) where the piston
+    is. Numbers: cj_pressure, cj_velocity (particle velocity), cj_density, tail_speed and tail_pressure (where the uniform region begins),
+    heat_of_reaction (J/kg).
     """
     d = detonation_velocity
     if gamma <= 1.0 or min(d, density) <= 0.0 or not -d / (gamma - 1.0) < piston <= d / (gamma + 1.0):

@@ -1,8 +1,11 @@
-r"""The steady two-dimensional Riemann problem: two supersonic streams that meet at a point, of any two equations of state.
+"""Steady Riemann problem in two dimensions: two supersonic streams that meet, of any two equations of state.
 
-One stream flows along x below the origin, the other at an angle above it. From the point where they meet a shock or a centred fan runs into
-each stream. Between the waves lies a slip line, with the same pressure and direction on both sides, found by
-`theory.shock_polar`. The fields depend on the angle alone; here they are given along the line x = `station`.
+It tests a two-dimensional solver in oblique shocks, fans and slip lines, and gives the deflection of streams of real materials.
+
+One stream flows along x below the origin, the other above it at an angle to x. From the point where they meet a shock or a centred fan
+runs into each stream. A slip line lies between the two waves, with the same pressure and flow direction on both sides. The pressure is
+found where the shock polars, continued by the fans, intersect. The state depends on the angle about the origin alone; it is given along
+the line x = `station`.
 
 Source: Courant and Friedrichs, Supersonic Flow and Shock Waves, sec. 124; Loh and Hui, J. Comput. Phys. 89 (1990) 207.
 """
@@ -35,10 +38,18 @@ def meeting_streams(below: Inflow = BELOW, above: Inflow = ABOVE, angle_degrees:
                     station: float = 1.0) -> Solution:
     """Steady Riemann problem: two supersonic streams that meet, each through a shock or a fan, with a slip line between them.
 
-    below flows along x, above at `angle_degrees` to it (negative: into the lower one). Positions are y along the line x = station; the
-    time does not matter. For gases and solids; of two possible shocks the weak one is taken.
-    Fields: density, pressure, energy, axial_velocity, transverse_velocity. `numbers`: slip_pressure, slip_angle and the angles of the
-    waves, in degrees from x.
+    below.material, above.material   name of the library material of the stream
+    below.mach, above.mach           Mach number of the stream, above 1
+    below.pressure, above.pressure   pressure of the stream
+    below.density, above.density     density of the stream; 0: from its pressure and the reference density or energy of the material
+    angle_degrees                    direction of the upper stream from x; negative: towards the lower stream
+    station                          x of the line along which the fields are given
+
+    Positions are y along that line. The solution does not depend on time. Of two possible shocks the weak one is taken.
+
+    Fields: density, pressure, energy, axial_velocity (along x), transverse_velocity (along y).
+    Numbers: slip_pressure, slip_angle, and for each stream (prefixes below_ and above_) head, tail and deflection: the angles at which its
+    wave begins and ends, and by which it turns the flow. Angles are in degrees from x.
     """
     angle = math.radians(angle_degrees)
     found = meeting(_stream(below), _stream(above), angle)

@@ -1,11 +1,16 @@
 r"""Noh's implosion: cold gas flows towards a wall, an axis or a centre and stops behind an outgoing shock.
 
-With inflow speed U, d = 1, 2, 3 for planar, cylindrical, spherical, and the shock at $r_s = \tfrac12(\gamma-1)Ut$:
+It tests a solver with an infinitely strong shock: the density behind the shock, its speed, and the spurious heating at the wall or centre.
 
 $$r > r_s:\; \rho = \rho_0\left(1 + \frac{Ut}{r}\right)^{d-1},\; u = -U,\; p = 0; \qquad
   r < r_s:\; \rho = \rho_0\left(\frac{\gamma+1}{\gamma-1}\right)^{d},\; u = 0,\; e = \tfrac12 U^2,\; p = (\gamma-1)\rho e$$
 
-for every gamma. Some collections give 4^d and t/3, which hold only for gamma = 5/3.
+* $r_s = \tfrac12(\gamma-1)Ut$: radius of the shock
+* $\rho_0$, $U$: density at $t = 0$ and speed of the inflow, `density`, `speed`
+* $\gamma$: ratio of specific heats, `gamma`
+* $d$: 1 planar, 2 cylindrical, 3 spherical
+
+The solution holds for every gamma; the values $4^d$ and $t/3$ often given for the compression and the shock hold only for $\gamma = 5/3$.
 
 Source: Noh, J. Comput. Phys. 72 (1987) 78; conservation of mass, momentum and energy at the shock.
 """
@@ -19,10 +24,15 @@ DIMENSION = {"planar": 1, "cylindrical": 2, "spherical": 3}
 
 
 def noh(geometry: str = "spherical", gamma: float = 5.0 / 3.0, density: float = 1.0, speed: float = 1.0) -> Solution:
-    """Noh's implosion: uniform cold inflow against a wall, axis or centre at r = 0.
+    """Noh's implosion of an ideal gas: uniform cold inflow against a wall, axis or centre at r = 0.
 
-    geometry planar, cylindrical or spherical; gamma > 1; density of the inflow at time 0; speed > 0 inwards.
-    Fields: density, velocity, pressure, energy, sound_speed at positions r > 0. `numbers`: plateau values and shock_speed.
+    geometry   planar, cylindrical or spherical
+    gamma      ratio of specific heats, above 1
+    density    density of the inflow at time 0
+    speed      speed of the inflow, towards r = 0
+
+    Fields: density, velocity, pressure, energy, sound_speed, at r > 0.
+    Numbers: plateau_density, plateau_energy, plateau_pressure (behind the shock), shock_speed.
     """
     if gamma <= 1.0 or density <= 0.0 or speed <= 0.0:
         raise OutOfRange(f"Noh's problem needs gamma > 1, density > 0 and speed > 0, got {gamma:g}, {density:g} kg/m3, {speed:g} m/s")

@@ -1,14 +1,20 @@
-r"""Noh's implosion for any equation of state: inflow that stops behind a shock of constant speed.
+r"""Noh's implosion for any equation of state: a uniform inflow stops behind a shock of constant speed.
 
-Ahead of the shock the particles coast without pressure: $\rho_1 = \rho_0(1 + Ut/r)^{d-1}$. At the shock r = Dt this is
-constant, and so are the jumps:
+It tests a solver with a strong shock in a real material. In planar geometry it is the impact of a body on a rigid wall.
+
+Ahead of the shock the particles coast without a pressure gradient, $\rho_1 = \rho_0(1 + Ut/r)^{d-1}$. At the shock, $r = Dt$, this
+density is constant, and so are the states on both sides:
 
 $$\rho_2 = \rho_0\left(1 + \frac UD\right)^d, \quad p_2 - p_1 = \rho_1(D + U)U, \quad
   e_2 - e_1 = \tfrac12U^2 + \frac{p_1U}{\rho_1(D + U)}, \quad p_2 = p(\rho_2, e_2)$$
 
-which is one equation for D. In planar flow the inflow is uniform and may have any pressure, so the solution holds for every law. In
-cylindrical and spherical flow the converging inflow must stay without pressure, $p(\rho, e_1) = 0$ for every density. This holds for
-laws $p = \Gamma\rho e$ at zero energy, such as the ideal gas. Solids, which have a cold pressure, are refused.
+* $\rho_0$, $U$: density at $t = 0$ and speed of the inflow; $D$: speed of the shock
+* $p$, $e$: pressure and specific internal energy, with the index 1 ahead of the shock and 2 behind it
+* $d$: 1 planar, 2 cylindrical, 3 spherical
+
+The four conditions are one equation for $D$. In planar flow the inflow may have any pressure, so the solution holds for every material.
+In cylindrical and spherical flow the converging inflow must stay without pressure, which holds only for equations of state without
+pressure at zero energy, such as the ideal gas. Other materials are not supported there.
 
 Source: Noh, J. Comput. Phys. 72 (1987) 78; Ramsey, Boyd and Burnett, Shock Waves 27 (2017) 477 for general laws; derived here.
 """
@@ -23,12 +29,16 @@ from hugoniot.theory.exact.substance import law_named
 
 
 def noh_material(material: str = "copper", geometry: str = "planar", speed: float = 1000.0, density: float = 0.0) -> Solution:
-    """Noh's implosion of a library material: uniform inflow against a wall, axis or centre, any equation of state.
+    """Noh's implosion of a library material: uniform inflow against a wall, axis or centre, for any equation of state.
 
-    density   of the inflow at time 0; 0: the reference density of the law. Planar: the inflow has the law's reference energy.
-              Cylindrical and spherical: only laws without pressure at zero energy (ideal gases), which the inflow then has.
-    Strength is ignored: the material is treated as a fluid with its equation of state.
-    Fields: density, velocity, pressure, energy. `numbers`: plateau values and shock_speed.
+    material   name of a library material; in Python also an equation of state
+    geometry   planar, cylindrical or spherical (curved: only for materials without pressure at zero energy, such as gases)
+    speed      speed of the inflow, towards r = 0
+    density    density of the inflow at time 0; 0: the reference density
+
+    Strength is ignored. In planar geometry the inflow has the reference energy of the material, in curved geometry zero energy.
+
+    Fields: density, velocity, pressure, energy. Numbers: plateau_density, plateau_pressure, plateau_energy (behind the shock), shock_speed.
     """
     par, d = law_named(material), DIMENSION[geometry]
     rest, e1 = (float(v) for v in contract.reference_state(par))

@@ -1,27 +1,33 @@
-r"""Plates driven by explosives: the exact end-on plate of a gamma = 3 explosive, and Gurney's formulas.
+r"""Plates driven by explosives: the exact motion of a plate at the end of a slab of gamma = 3 explosive, and Gurney's formulas.
 
-**End-on plate.** A slab of length L is lit at its free end x = 0; the plate of mass per area M rests at x = L, and the charge has the mass
-per area C = rho0 L. For gamma = 3 both characteristics are straight: behind the front $u + c = x/t$, $p = \tfrac{16}{27}\rho_0 c^3/D$. At
-the plate, with y = x/t, $c = y - \dot x = -t\dot y$, and $M\ddot x = p$ becomes $d(ct)/dt = -\kappa (ct)^3/t^2$, $\kappa = 16\rho_0/(27 D
-M)$:
+It tests a solver with a detonation that accelerates metal, and estimates the velocity of driven metal.
 
-$$ct = \left(a - 2\kappa/t\right)^{-1/2},\quad a = L^{-2} + 2\kappa D/L; \qquad
-  \frac xt = D - \frac1\kappa\left[\sqrt{a - 2\kappa/t} - \frac1L\right]$$
+**End-on plate.** A slab of explosive of length $L$ is lit at its free end $x = 0$; a rigid plate of mass $M$ per area lies at $x = L$.
+The charge has the mass $C = \rho_0 L$ per area. For gamma = 3 the characteristics are straight, and behind the front $u + c = x/t$ and $p
+= \tfrac{16}{27}\rho_0 c^3/D$ with the detonation velocity $D$. The motion $x(t)$ of the plate then follows from $M\ddot x = p$:
+
+$$ct = \left(a - 2\kappa/t\right)^{-1/2},\quad \frac xt = D - \frac1\kappa\left[\sqrt{a - 2\kappa/t} - \frac1L\right], \qquad
+  \kappa = \frac{16\rho_0}{27 DM}, \quad a = \frac{1}{L^2} + \frac{2\kappa D}{L}$$
 $$\frac{v_\infty}{D} = 1 - \frac{27M}{16C}\left(\sqrt{1 + \frac{32C}{27M}} - 1\right)$$
 
-The assumption that $u + c$ is unchanged across the reflected shock violates conservation of momentum and energy. With both conserved the
-plate is 0.5 % faster at M/C = 0.1 and 1.0 % faster at M/C = 5; with products $p = K\rho^3$ it is 0.25 and 1.3 % slower
-(`docs/theory/detonation.md`).
+where $c$ is the sound speed of the products at the plate and $v_\infty$ the final velocity. The solution takes $u + c$ as unchanged
+across the reflected shock, which violates the conservation of momentum and energy there. With both conserved the plate is 0.5 % faster at
+M/C = 0.1 and 1.0 % faster at M/C = 5; with products $p = K\rho^3$, $K$ constant, it is 0.25 and 1.3 % slower.
 
-**Gurney.** With a linear velocity profile and a uniform energy release E, $v/\sqrt{2E} = (\mu + k)^{-1/2}$, mu = M/C, with k = 1/3
-(symmetric sandwich, where M counts both plates), 1/2 (cylinder), 3/5 (sphere). In an asymmetric sandwich a tamper of mass N, nu = N/C,
-moves at A v in the opposite direction; the momentum balance gives A and the energy balance v:
+**Gurney's formulas** assume a velocity of the products linear in the position and a uniform energy release $E$ per mass of explosive. The
+velocity $v$ of the metal is
+
+$$\frac{v}{\sqrt{2E}} = (\mu + k)^{-1/2}, \qquad \mu = \frac MC$$
+
+with the ratio $\mu$ of the masses of metal and explosive, and $k$ = 1/3 for a symmetric sandwich (where $M$ counts both plates), 1/2 for
+a cylinder and 3/5 for a sphere. In an asymmetric sandwich the tamper on the other side of the explosive, of mass $N$ with $\nu = N/C$,
+moves at $A v$ in the opposite direction:
 
 $$A = \frac{1 + 2\mu}{1 + 2\nu}, \qquad \frac{v}{\sqrt{2E}} = \left[\mu + \nu A^2 + \frac{1 + A^3}{3(1 + A)}\right]^{-1/2}$$
 
-The open sandwich has no tamper.
+The open sandwich has no tamper, $\nu = 0$.
 
-Source: Aziz, Hurwitz & Sternberg, Phys. Fluids 4 (1961) 380; Gurney, BRL Report 405 (1943); both re-derived.
+Source: Aziz, Hurwitz & Sternberg, Phys. Fluids 4 (1961) 380; Gurney, BRL Report 405 (1943); both derived here.
 """
 
 import numpy as np
@@ -31,16 +37,26 @@ from hugoniot.theory.exact.solution import Solution
 
 
 def terminal_velocity(mass_ratio: float, detonation_velocity: float) -> float:
-    """Final speed of an end-on plate, m/s; mass_ratio = M/C."""
+    """Final velocity of an end-on plate, m/s.
+
+    mass_ratio            M/C, mass of the plate over that of the explosive
+    detonation_velocity   detonation velocity of the explosive, m/s
+    """
     k = 27.0 * mass_ratio / 16.0
     return detonation_velocity * (1.0 - k * (np.sqrt(1.0 + 2.0 / k) - 1.0))
 
 
 def plate_push(mass_ratio: float = 1.0, detonation_velocity: float = 8000.0, density: float = 1600.0, length: float = 0.1) -> Solution:
-    """End-on plate: M/C = mass_ratio, driven by a slab of gamma = 3 explosive lit at its free end x = 0; vacuum on both sides.
+    """End-on plate: driven by a slab of gamma = 3 explosive lit at its free end x = 0, with vacuum on both sides.
 
-    Positions are ignored except for their shape: the fields `position` and `velocity` are those of the plate at the given time; `pressure`
-    is that on the plate. `numbers`: terminal_velocity, arrival_time. Before arrival the plate rests at `length`.
+    mass_ratio            M/C, mass of the plate over that of the explosive
+    detonation_velocity   detonation velocity D of the explosive
+    density               reference density of the explosive
+    length                length L of the slab, initial position of the plate
+
+    The result is the motion of the plate over time. In Python the positions given are ignored, except for the shape of their array.
+
+    Fields: position (m) and velocity of the plate, pressure on it. Numbers: terminal_velocity, arrival_time (of the front at the plate).
     """
     if min(mass_ratio, detonation_velocity, density, length) <= 0.0:
         raise OutOfRange("the driven plate needs positive mass ratio, detonation velocity, density and length")
@@ -67,10 +83,11 @@ GURNEY_CONSTANT = {"symmetric": 1.0 / 3.0, "cylinder": 0.5, "sphere": 0.6}
 
 
 def gurney(configuration: str, mass_ratio: float, gurney_velocity: float) -> float:
-    """Gurney's metal velocity, m/s.
+    """Metal velocity by Gurney's formulas, m/s.
 
-    configuration "open" (sandwich with one plate), "symmetric", "cylinder" or "sphere"; mass_ratio = M/C, where M counts both
-    plates of the symmetric sandwich; gurney_velocity = sqrt(2E), m/s.
+    configuration     open (sandwich with one plate), symmetric (sandwich), cylinder or sphere
+    mass_ratio        M/C, mass of the metal (of both plates of the symmetric sandwich) over that of the explosive
+    gurney_velocity   sqrt(2E) of the explosive, m/s
     """
     if configuration == "open":
         return asymmetric_sandwich(mass_ratio, 0.0, gurney_velocity)[0]
@@ -82,10 +99,11 @@ def gurney(configuration: str, mass_ratio: float, gurney_velocity: float) -> flo
 
 
 def asymmetric_sandwich(mass_ratio: float, tamper_ratio: float, gurney_velocity: float) -> tuple[float, float]:
-    """Gurney's velocities of a plate and of the tamper on the other side of the explosive, both positive outwards, m/s.
+    """Velocities of a plate and of the tamper on the other side of the explosive by Gurney's formulas, both positive outwards, m/s.
 
-    mass_ratio = M/C of the plate, tamper_ratio = N/C of the tamper, 0 for none (then the second velocity is that of the gas there);
-    gurney_velocity = sqrt(2E), m/s.
+    mass_ratio        M/C, mass of the plate over that of the explosive
+    tamper_ratio      N/C, mass of the tamper over that of the explosive; 0: no tamper, and the second velocity is that of the gas
+    gurney_velocity   sqrt(2E) of the explosive, m/s
     """
     if mass_ratio <= 0.0:
         raise OutOfRange(f"mass_ratio = {mass_ratio:g} must be positive")

@@ -1,16 +1,19 @@
-r"""The Riemann problem of ideal and stiffened gases, with its own gamma and p_infinity on each side.
+r"""Riemann problem of two ideal or stiffened gases, each with its own ratio of specific heats and stiffness pressure.
 
-Each side obeys $p = (\gamma-1)\rho e - \gamma p_\infty$. With $P = p + p_\infty$ and $c^2 = \gamma P/\rho$ the velocity change across
-the wave that takes side k to the pressure p is
+It tests a solver with shocks, rarefactions, contacts and vacuum. The well-known shock tubes are here under names of their own.
+
+Each side obeys $p = (\gamma-1)\rho e - \gamma p_\infty$ with the stiffness pressure $p_\infty$, which is 0 for an ideal gas. Let $P = p +
+p_\infty$, let $c$ be the sound speed, $c^2 = \gamma P/\rho$, and let the index k (L or R) denote the initial state of a side. The
+velocity change across the wave that takes side k to the pressure $p$ is
 
 $$f_k(p) = \begin{cases}(p - p_k)\left[\tfrac{\rho_k}{2}\left((\gamma+1)P + (\gamma-1)P_k\right)\right]^{-1/2} & p > p_k\\[2pt]
   \dfrac{2 c_k}{\gamma-1}\left[\left(P/P_k\right)^{(\gamma-1)/2\gamma} - 1\right] & p \le p_k\end{cases}$$
 
-and the star pressure is the root of $f_L(p) + f_R(p) + u_R - u_L = 0$, which is monotone. Where no root above vacuum exists the
-two sides separate: a side without p_infinity expands into vacuum, one with it releases to p = 0.
+The pressure between the waves is the root of $f_L(p) + f_R(p) + u_R - u_L = 0$, which increases with $p$. Where there is no root above
+vacuum, the two sides separate: an ideal gas expands into vacuum, a stiffened gas is released to zero pressure.
 
-Source: Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics (2009), chapter 4; with p_infinity: Ivings, Causon &
-Toro, Int. J. Numer. Meth. Fluids 28 (1998) 395. Starkenberg's sign of p_infinity is the opposite (S-E8).
+Source: Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics (2009), chapter 4; with a stiffness pressure: Ivings, Causon &
+Toro, Int. J. Numer. Meth. Fluids 28 (1998) 395. Starkenberg's sign of the stiffness pressure is the opposite (S-E8).
 """
 
 from typing import NamedTuple
@@ -109,9 +112,17 @@ def _fill(out, side, w, p_star, u_star, sign, speed):
 def riemann_ideal(left: Side, right: Side, x0: float = 0.0, title: str = "Riemann problem") -> Solution:
     """Riemann problem of ideal or stiffened gases: two uniform states that meet at x0 at time 0.
 
-    Returns a planar Solution with density, velocity, pressure, energy, sound_speed. In a vacuum the density is 0 and the
-    velocity, without meaning there, that of the nearer escaping front. `numbers`: star_pressure, star_velocity,
-    star_density_left, star_density_right, and the head and tail speeds of both waves.
+    left.density, right.density         density of a side
+    left.velocity, right.velocity       velocity of a side
+    left.pressure, right.pressure       pressure of a side
+    left.gamma, right.gamma             ratio of specific heats of a side, above 1
+    left.p_infinity, right.p_infinity   stiffness pressure of a side; 0: ideal gas
+    x0                                  position of the contact at time 0
+    title                               heading of the results
+
+    Fields: density, velocity, pressure, energy, sound_speed. In a vacuum the density is 0, and the velocity is that of the nearer gas
+    front. Numbers: star_pressure, star_velocity (between the waves), star_density_left, star_density_right (on either side of the
+    contact), and the velocities left_head, left_tail, right_tail, right_head of the edges of both waves (equal for a shock).
     """
     p, u_left, u_right = star(left, right)
     waves = wave(left, p, u_left, -1.0), wave(right, p, u_right, 1.0)
@@ -143,26 +154,26 @@ def riemann_ideal(left: Side, right: Side, x0: float = 0.0, title: str = "Rieman
 
 
 def sod() -> Solution:
-    """Sod's shock tube, gamma 1.4 on [0, 1], diaphragm at 0.5."""
+    """Sod's shock tube: gamma 1.4 on 0 < x < 1, diaphragm at 0.5."""
     return riemann_ideal(Side(1.0, 0.0, 1.0), Side(0.125, 0.0, 0.1), 0.5, "Sod shock tube")
 
 
 def leblanc() -> Solution:
-    """LeBlanc's shock tube, gamma 5/3 on [0, 9], diaphragm at 3: an energy ratio of a million."""
+    """LeBlanc's shock tube: gamma 5/3 on 0 < x < 9, diaphragm at 3, specific energies in the ratio of a million."""
     g = 5.0 / 3.0
     return riemann_ideal(Side(1.0, 0.0, (g - 1.0) * 0.1, g), Side(1e-3, 0.0, (g - 1.0) * 1e-10, g), 3.0, "LeBlanc shock tube")
 
 
 def two_rarefactions() -> Solution:
-    """The "123" problem: two rarefactions that leave almost a vacuum, gamma 1.4 on [0, 1]."""
+    """The "123" problem: two rarefactions that leave almost a vacuum, gamma 1.4 on 0 < x < 1, initial contact at 0.5."""
     return riemann_ideal(Side(1.0, -2.0, 0.4), Side(1.0, 2.0, 0.4), 0.5, "123 problem")
 
 
 def collision() -> Solution:
-    """Two streams that collide into two shocks, gamma 1.4."""
+    """Two gas streams that collide and produce two shocks: gamma 1.4 on 0 < x < 1, initial contact at 0.5."""
     return riemann_ideal(Side(5.99924, 19.5975, 460.894), Side(5.99242, -6.19633, 46.0950), 0.5, "colliding streams")
 
 
 def water_gas() -> Solution:
-    """Compressed stiffened liquid against a gas, 1e9 against 1e5 Pa."""
+    """Compressed stiffened liquid (1 GPa) against a gas (0.1 MPa) on 0 < x < 1, initial contact at 0.7."""
     return riemann_ideal(Side(1000.0, 0.0, 1e9, 4.4, 6e8), Side(50.0, 0.0, 1e5), 0.7, "liquid-gas shock tube")

@@ -1,11 +1,16 @@
-r"""A piston that drives a cold ideal gas against a wall: the shock reverberates, each time into the state left by the previous passage.
+r"""A piston drives cold ideal gas against a wall: the shock runs back and forth, each time into the state left by the previous passage.
 
-Every passage is a shock into a known state (rho, p) that changes the velocity by the piston speed U: with
-$A = \tfrac{\gamma+1}{4} U$ the speed of the shock relative to the gas ahead is $w = A + \sqrt{A^2 + c^2}$, and
+It tests a solver with repeated shocks. On a skewed mesh in two dimensions it is Saltzman's problem, which tests whether a plane shock
+stays plane.
 
-$$p' = p + \rho w U, \qquad \rho' = \rho\,\frac{w}{w - U}, \qquad e' = e + \tfrac12 (p + p')\left(\tfrac1\rho - \tfrac1{\rho'}\right)$$
+Every passage is a shock into a known state $(\rho, p)$ with the sound speed $c$ that changes the velocity by the piston speed $U$. The
+speed $w$ of the shock relative to the gas ahead and the state behind, marked by a prime, are
 
-gamma = 5/3, U = 1: densities 4, 10, 20; the front meets the wall at t = 0.75, the piston at 0.9 and the wall again at 0.95.
+$$w = A + \sqrt{A^2 + c^2}, \quad A = \tfrac{\gamma+1}{4} U; \qquad
+p' = p + \rho w U, \quad \rho' = \rho\,\frac{w}{w - U}, \quad e' = e + \tfrac12 (p + p')\left(\tfrac1\rho - \tfrac1{\rho'}\right)$$
+
+For $\gamma = 5/3$ and unit piston speed, length and density the densities are 4, 10 and 20, and the shock meets the wall at $t = 0.75$,
+the piston at 0.9 and the wall again at 0.95.
 
 Source: Dukowicz & Meltz, J. Comput. Phys. 99 (1992) 115 (Saltzman's skewed-mesh piston); Rankine-Hugoniot relations.
 """
@@ -51,10 +56,17 @@ def passages(gamma: float, piston: float, length: float, density: float, count: 
 
 
 def saltzman(gamma: float = 5.0 / 3.0, piston: float = 1.0, length: float = 1.0, density: float = 1.0, reflections: int = 6) -> Solution:
-    """Piston at speed `piston` from x = 0 into cold gas up to a wall at `length`, with every reflection.
+    """Piston at constant speed from x = 0 into cold gas up to a wall, with every reflection of the shock.
 
-    Fields: density, velocity, pressure, energy, sound_speed; NaN where the piston has been. Holds until the shock ends its run
-    number `reflections` + 1. `numbers`: wall_time, piston_time, second_wall_time and the densities behind.
+    gamma         ratio of specific heats, above 1
+    piston        speed of the piston
+    length        position of the wall
+    density       density of the cold gas
+    reflections   number of reflections followed, at least 2
+
+    Fields: density, velocity, pressure, energy, sound_speed; not a number (NaN) where the piston has passed. Numbers: wall_time,
+    piston_time and second_wall_time (the first three reflections), density_1 to density_3 and pressure_1 to pressure_3 (behind the first
+    three passages). Valid until the reflection after the last one followed.
     """
     if gamma <= 1.0 or piston <= 0.0 or length <= 0.0 or density <= 0.0 or reflections < 2:
         raise OutOfRange("the piston problem needs gamma > 1, positive piston speed, length and density, and at least 2 reflections")

@@ -1,23 +1,29 @@
-r"""The point explosion in a uniform cold ideal gas (Sedov, Taylor, von Neumann), any gamma > 1, planar, cylindrical, spherical.
+r"""Point explosion in a uniform cold ideal gas (Sedov, Taylor, von Neumann), planar, cylindrical or spherical.
 
-The shock is at $R = (E t^2/\alpha\rho_0)^{1/(d+2)}$. With $\delta = 2/(d+2)$, $u = \delta (r/t) v$, $c^2 = \delta^2 (r/t)^2 z$,
-$\rho = \rho_0 G$, $\xi = r/R$ the equations of motion have the energy integral
+It tests a solver with a strong blast wave from a concentrated release of energy: the radius of the shock and the profile behind it.
 
-$$z = \frac{\gamma(\gamma-1)\,v^2(1-v)}{2(\gamma v - 1)}$$
+The shock is at $R = (E t^2/\alpha\rho_0)^{1/(d+2)}$. With $\delta = 2/(d+2)$ and $\xi = r/R$ the flow behind it is
 
-and, from continuity $(v-1)\,G'/G + v' + d\,v = 0$ and constant entropy of a particle (primes: derivatives by ln xi),
+$$u = \delta\, \frac rt\, v(\xi), \qquad c^2 = \delta^2\, \frac{r^2}{t^2}\, z(\xi), \qquad \rho = \rho_0 G(\xi)$$
+
+* $E$: energy of the explosion, `energy`; $\rho_0$: density of the gas ahead, `density`; $\gamma$: ratio of specific heats
+* $d$: 1 planar, 2 cylindrical, 3 spherical
+* $\alpha$: energy integral, given below
+
+The equations of motion have the integral $z = \gamma(\gamma-1)\,v^2(1-v)/[2(\gamma v - 1)]$, and
 
 $$\frac{d\ln\xi}{dv} = \frac{\gamma + 1 - 2/v + (\gamma-1)/(\gamma v - 1)}{(d+2) - (2 + (\gamma-1)d)\,v}, \qquad
-  \frac{d\ln G}{dv} = \frac{1 + d\,vd\ln\xi/dv}{1-v}$$
+  \frac{d\ln G}{dv} = \frac{1 + d\,v\,d\ln\xi/dv}{1-v}$$
 
-from $v_2 = 2/(\gamma+1)$ behind the shock to $v = 1/\gamma$ at the origin. For d = 3, gamma > 7 v rises to 1 instead, at the edge of an
-empty core; gamma = 7 is the boundary case v = const. The first equation integrates in partial fractions; G follows from the
-entropy, which the conservation of mass $m = G\xi^d(1-v)$ makes a power of m:
-$G^{2-\gamma}\,\xi^{d+2} z\,(1-v) = const$, or at gamma = 2 from quadrature of the second equation.
+from $v = 2/(\gamma+1)$ behind the shock to $v = 1/\gamma$ at the origin. For $d = 3$ and $\gamma > 7$, $v$ rises to 1 instead, at the
+edge of an empty core; at $\gamma = 7$ it is constant. The energy integral is
 
-$$\alpha = S_d\,\delta^2\int_0^1\left[\tfrac12 G v^2 + \frac{G z}{\gamma(\gamma-1)}\right]\xi^{d+1}\,d\xi$$
+$$\alpha = S_d\,\delta^2\int_0^1\left[\tfrac12 G v^2 + \frac{G z}{\gamma(\gamma-1)}\right]\xi^{d+1}\,d\xi, \qquad
+S_1 = 1 \text{ (one side)}, \quad S_2 = 2\pi, \quad S_3 = 4\pi$$
 
-with S_1 = 1 (one side), S_2 = 2 pi, S_3 = 4 pi.
+Implementation: the first equation integrates in partial fractions; G follows from the entropy, which the conservation of mass
+m = G xi^d (1 - v) makes a power of m, so that G^(2 - gamma) xi^(d+2) z (1 - v) is constant, or at gamma = 2 from quadrature of the second
+equation.
 
 Source: Sedov, Similarity and Dimensional Methods in Mechanics (1959), chapter IV; Landau & Lifshitz, Fluid Mechanics, section 106
 (generalised here to d = 1, 2); values: Kamm, LA-UR-00-6055 (2000).
@@ -132,13 +138,16 @@ class Profile:
 
 
 def sedov(geometry: str = "spherical", gamma: float = 1.4, energy: float = 0.851072, density: float = 1.0) -> Solution:
-    """Point explosion in cold gas.
+    """Point explosion in cold ideal gas of uniform density.
 
-    energy: planar per area on one side, cylindrical per length, spherical total; density of the gas at rest.
+    geometry   planar, cylindrical or spherical
+    gamma      ratio of specific heats, above 1
+    energy     energy of the explosion: planar per area on one side, cylindrical per length, spherical total
+    density    density of the gas ahead
 
-    Fields: density, velocity, pressure, energy, sound_speed; ahead of the shock and in an empty core energy is 0. At r = 0 of the
-    usual case density is 0, pressure finite and energy infinite. `numbers`: alpha, shock_coefficient (R at t = 1), peak_density.
-    Holds for time > 0.
+    Fields: density, velocity, pressure, energy, sound_speed. Ahead of the shock and in an empty core energy is 0. At r = 0 (without an
+    empty core) density is 0, the pressure finite and the energy infinite. Numbers: alpha, shock_coefficient (radius of the shock at t = 1
+    s), peak_density (behind the shock). Valid for times above 0.
     """
     if gamma <= 1.0 or energy <= 0.0 or density <= 0.0:
         raise OutOfRange(f"a point explosion needs gamma > 1, energy > 0 and density > 0, got {gamma:g}, {energy:g}, {density:g}")

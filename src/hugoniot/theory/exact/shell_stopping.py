@@ -1,12 +1,16 @@
 r"""A shell of incompressible, rigid-perfectly plastic material that flies inwards and stops when its kinetic energy is spent.
 
-Incompressible flow $u = -C(t)/r^{d-1}$ (d = 2, plane strain; d = 3) between radii a(t) and b(t). Kinetic energy and plastic power are
+It tests the plastic work of a solver in convergent flow: the radius at which the shell stops.
+
+The shell lies between the radii $a(t)$ and $b(t)$, in cylindrical geometry ($d = 2$, plane strain) or spherical geometry ($d = 3$), and
+flows as $u = -C(t)/r^{d-1}$. Its kinetic energy $T$ and the power $\dot W$ of plastic work are
 
 $$d=2:\; T = \pi\rho\,C^2\ln\frac ba,\quad \dot W = \frac{4\pi}{\sqrt3}\,Y\,C\ln\frac ba; \qquad
   d=3:\; T = 2\pi\rho\,C^2\left(\frac1a-\frac1b\right),\quad \dot W = 8\pi\,Y\,C\ln\frac ba$$
 
-and $C\,dt = -a^{d-1}da$. The work W down to a radius is a quadrature in a. C(a) follows from T(a) = T_0 - W(a), the stopping
-radius from T = 0, and the history from $t = \int a^{d-1}da/C$.
+with the density $\rho$, the yield stress $Y$ and $C\,dt = -a^{d-1}da$. The work $W$ down to a radius is an integral over $a$; then $C(a)$
+follows from $T = T_0 - W$ with the initial kinetic energy $T_0$, the stopping radius from $T = 0$ and the motion from $t = -\int
+a^{d-1}da/C$.
 
 Source: Verney, Evaluation of the plastic limit of metals under explosive shells (1968); Howell & Ball, J. Comput. Phys. 175 (2002)
 128; integrals derived here.
@@ -35,12 +39,18 @@ def _resistance(a, volume, density, yield_stress, d):
 
 def shell_stopping(geometry: str = "spherical", density: float = 1845.0, yield_stress: float = 330e6, inner: float = 0.08,
                    outer: float = 0.10, speed: float = 675.036) -> Solution:
-    """Rigid-plastic shell that stops.
+    """Rigid-plastic shell that flies inwards and stops.
 
-    Between radii inner and outer (m), inner surface moving inwards at `speed` (m/s), u ~ 1/r^(d-1).
+    geometry       cylindrical or spherical
+    density        density of the shell
+    yield_stress   yield stress in uniaxial stress
+    inner          inner radius at time 0
+    outer          outer radius at time 0
+    speed          inward speed of the inner surface at time 0
 
-    Fields at radii inside the shell: density, velocity; NaN elsewhere. `numbers`: stop_radius, stop_outer_radius, stop_time, and
-    kinetic_energy (J per metre of cylinder; J of the whole sphere). Raises NoSolution for a shell that reaches the axis.
+    Fields: density, velocity; not a number (NaN) outside the shell. Numbers: stop_radius and stop_outer_radius (of the stopped shell, m),
+    stop_time (s), kinetic_energy (at time 0, J per metre of the cylinder or J of the sphere). A shell that reaches the axis has no
+    solution.
     """
     if geometry not in ("cylindrical", "spherical") or not 0.0 < inner < outer or min(density, yield_stress, speed) <= 0.0:
         raise OutOfRange("a stopping shell is cylindrical or spherical, with 0 < inner < outer and positive density, yield stress, speed")
@@ -84,10 +94,10 @@ def shell_stopping(geometry: str = "spherical", density: float = 1845.0, yield_s
 
 
 def howell_ball() -> Solution:
-    """Cylindrical beryllium shell that stops at 5 cm (Howell & Ball)."""
+    """Cylindrical beryllium shell that stops at an inner radius of 5 cm (Howell & Ball)."""
     return shell_stopping("cylindrical", speed=417.1)
 
 
 def verney() -> Solution:
-    """Spherical beryllium shell that stops at 3 cm (Verney)."""
+    """Spherical beryllium shell that stops at an inner radius of 3 cm (Verney)."""
     return shell_stopping("spherical", speed=675.036)

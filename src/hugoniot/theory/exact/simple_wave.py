@@ -1,14 +1,16 @@
 r"""Simple waves of an ideal gas: a piston withdrawn at constant speed, and a smooth compression that steepens towards a shock.
 
-In a wave that runs into gas at rest (density rho0, sound speed c0) along +x the invariant $u - 2c/(\gamma-1)$ is uniform, so
+They test a solver in smooth flow, where the exact solution is isentropic.
+
+A wave runs along +x into gas at rest with the density $\rho_0$, pressure $p_0$ and sound speed $c_0$. In it
 
 $$c = c_0 + \tfrac12(\gamma-1)\,u, \qquad \rho = \rho_0 (c/c_0)^{2/(\gamma-1)}, \qquad p = p_0 (c/c_0)^{2\gamma/(\gamma-1)}$$
 
-and u is constant along straight characteristics that leave the piston path X(s), X' = U(s), at time s:
+and $u$ is constant along straight characteristics, which leave the path $X(s)$ of the piston, with the velocity $U(s)$, at the time $s$:
 
 $$x = X(s) + \left[c_0 + \tfrac12(\gamma+1)\,U(s)\right](t - s)$$
 
-They first cross at the smallest $t = s + [c_0 + \tfrac12(\gamma-1)U] / [\tfrac12(\gamma+1)U']$ over s with U' > 0. A piston
+They first cross at the smallest $t = s + [c_0 + \tfrac12(\gamma-1)U] / [\tfrac12(\gamma+1)U']$ over all $s$ with $U' > 0$. A piston
 withdrawn faster than $2c_0/(\gamma-1)$ leaves a vacuum behind.
 
 Source: Courant & Friedrichs, Supersonic Flow and Shock Waves (1948), sections 40 to 48.
@@ -36,10 +38,15 @@ def _check(gamma, density, pressure, speed):
 
 
 def centred_rarefaction(gamma: float = 1.4, density: float = 1.0, pressure: float = 1.0, speed: float = 1.0) -> Solution:
-    """Centred rarefaction: gas at rest in x > 0, a piston withdrawn from x = 0 at `speed` > 0 (towards -x).
+    """Centred rarefaction: gas at rest in x > 0, from which a piston is withdrawn at constant speed, starting at x = 0.
 
-    Fields: density, velocity, pressure, energy, sound_speed; NaN where the piston keeps gas out, 0 (velocity: that of the gas
-    front) in a vacuum. `numbers`: head, tail (speeds), escape_speed.
+    gamma      ratio of specific heats, above 1
+    density    density of the gas at rest
+    pressure   pressure of the gas at rest
+    speed      speed of the piston, towards -x
+
+    Fields: density, velocity, pressure, energy, sound_speed; not a number (NaN) behind the piston; in a vacuum 0, and the velocity of the
+    gas front. Numbers: head and tail (velocities of the edges of the fan), escape_speed (of the gas into vacuum).
     """
     _check(gamma, density, pressure, speed)
     c0 = float(np.sqrt(gamma * pressure / density))
@@ -61,10 +68,16 @@ def centred_rarefaction(gamma: float = 1.4, density: float = 1.0, pressure: floa
 
 
 def piston_pulse(gamma: float = 1.4, density: float = 1.0, pressure: float = 1.0, speed: float = 0.1, duration: float = 1.0) -> Solution:
-    """Smooth simple wave: gas at rest in x > 0, a piston with U(s) = speed sin^2(pi s / duration), then at rest.
+    """Smooth compression: gas at rest in x > 0, driven by a piston with the velocity speed sin^2(pi t/duration), which then stays at rest.
 
-    Fields as for the centred rarefaction; NaN where the piston is. `numbers`: breaking_time, until which the solution holds,
-    and final_position of the piston.
+    gamma      ratio of specific heats, above 1
+    density    density of the gas at rest
+    pressure   pressure of the gas at rest
+    speed      highest speed of the piston, into the gas
+    duration   duration of the motion of the piston
+
+    Fields: density, velocity, pressure, energy, sound_speed; not a number (NaN) behind the piston.
+    Numbers: breaking_time, until which the solution is valid, and final_position of the piston.
     """
     _check(gamma, density, pressure, speed)
     c0 = float(np.sqrt(gamma * pressure / density))

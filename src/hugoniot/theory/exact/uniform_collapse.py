@@ -1,12 +1,17 @@
 r"""Uniform collapse: a converging body in which every part is compressed alike, so that it stays uniform.
 
+It tests whether a solver keeps a uniform state uniform, and on its isentrope, in convergent compression of any material.
+
 $$u = -\frac{r}{t_c - t}, \qquad \rho = \rho_0\left(1 - \frac{t}{t_c}\right)^{-d}, \qquad e = e_S(\rho)$$
 
-Velocities are proportional to the radius, so the acceleration vanishes and the momentum equation requires only a uniform pressure.
-The energy follows the isentrope through the initial state, for any equation of state. For the ideal gas $e = e_0(1 -
-t/t_c)^{-d(\gamma-1)}$.
+* $t_c$: time of collapse, `collapse_time`; $\rho_0$: density at $t = 0$
+* $d$: 1 planar, 2 cylindrical, 3 spherical
+* $e_S$: energy on the isentrope through the initial state; for an ideal gas $e_S = e_0(1 - t/t_c)^{-d(\gamma-1)}$ with the initial energy
+  $e_0$
 
-Source: Noh, J. Comput. Phys. 72 (1987) 78 (his second problem, the uniform collapse); derived here for any law.
+The pressure is uniform, so nothing accelerates.
+
+Source: Noh, J. Comput. Phys. 72 (1987) 78 (his second problem, the uniform collapse); derived here for any equation of state.
 """
 
 import numpy as np
@@ -20,13 +25,18 @@ from hugoniot.theory.isentrope import isentrope, reference
 
 def uniform_collapse(geometry: str = "spherical", gamma: float = 5.0 / 3.0, density: float = 1.0, energy_per_mass: float = 1.0,
                      collapse_time: float = 1.0, material: str = "") -> Solution:
-    """Uniform collapse (Noh's second problem): velocities proportional to the radius, everything else uniform.
+    """Uniform collapse (Noh's second problem): velocity proportional to the radius, everything else uniform.
 
-    material   empty: an ideal gas with this gamma; otherwise a material of the library, which starts from its reference state (then
-    `gamma`,
-               `density` and `energy_per_mass` are not used)
+    geometry          planar, cylindrical or spherical
+    gamma             ratio of specific heats of an ideal gas, above 1
+    density           density at time 0
+    energy_per_mass   specific internal energy at time 0
+    collapse_time     time at which every radius would reach 0
+    material          name of a library material, which starts from its reference state; gamma, density and energy_per_mass are then not
+    used
 
-    Fields: density, velocity, pressure, energy. Holds for time < collapse_time, and for a material as far as its law reaches.
+    Fields: density, velocity, pressure, energy. Numbers: first_density and first_pressure (at time 0), compression_at_half_time.
+    Valid for times below collapse_time, and for a material as far as its equation of state reaches.
     """
     d = DIMENSION[geometry]
     if min(density, collapse_time) <= 0.0 or gamma <= 1.0 or energy_per_mass < 0.0:

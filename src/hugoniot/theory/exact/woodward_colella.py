@@ -1,10 +1,13 @@
-r"""Reference numbers of the two interacting blast waves, for which no closed solution exists.
+"""Two interacting blast waves (Woodward & Colella): reference numbers of a problem without a closed solution.
 
-Ideal gas, gamma = 1.4, rho = 1, u = 0 on [0, 1] between walls; p = 1000 for x < 0.1, 0.01 up to 0.9, 100 beyond; t = 0.038.
-The values were computed with a second-order Lagrangian Godunov scheme on 3 200 zones; the right shock
-still drifts from 0.8647 to 0.8653 between 1 600 and 3 200 zones, and the peak density depends on the method (6.4 to 7.2).
+They test a solver in the collision of strong shocks, with narrow peaks of the density.
 
-Source: problem of Woodward & Colella, J. Comput. Phys. 54 (1984) 115; numbers of the project's own reference run.
+The problem: ideal gas with gamma = 1.4 and unit density, at rest between walls at x = 0 and 1. The pressure is 1000 for x < 0.1, 0.01 up
+to x = 0.9 and 100 beyond. The numbers are for the time 0.038, computed with a second-order Lagrangian Godunov scheme on 3200 zones. The
+position of the right shock still changed from 0.8647 to 0.8653 between 1600 and 3200 zones, and the peak density depends on the method
+(6.4 to 7.2).
+
+Source: the problem of Woodward & Colella, J. Comput. Phys. 54 (1984) 115; numbers of the project's own reference run.
 """
 
 from typing import NamedTuple
@@ -35,5 +38,9 @@ def initial(positions) -> dict[str, np.ndarray]:
 
 
 def woodward_colella() -> Reference:
-    """Reference numbers of the interacting blast waves; data, not a callable solution."""
+    """Interacting blast waves: reference numbers at the time 0.038.
+
+    Numbers: time, contacts (positions of two contacts), spike (position of the density peak), right_shock and its uncertainty, and the
+    density at some positions. There are no fields.
+    """
     return REFERENCE
