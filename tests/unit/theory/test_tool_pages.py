@@ -41,4 +41,9 @@ def test_every_exact_solution_has_its_parameters_with_units(pages):
     assert "## hugoniot exact noh" in text and "| `speed` | m/s | `1.0` |" in text and "$$" in text
     for name, function in pages.SOLUTIONS.items():
         shown = pages.exact(function.__module__.removeprefix("hugoniot."), [name])
-        assert f"## hugoniot exact {name}" in shown and "ource" in shown, name
+        assert f"## hugoniot exact {name}" in shown and "## Source" in shown and "|  |\n" not in shown, name
+
+
+def test_paragraphs_for_developers_are_not_shown(pages):
+    assert "Implementation:" in (pages.module("theory.exact.sedov").__doc__ or "")
+    assert "Implementation:" not in "".join([*map(pages.tool, pages.TOOLS), pages.exact("theory.exact.sedov", ["sedov"])])
