@@ -1,17 +1,26 @@
-r"""SESAME-format ASCII files: tables of the equation of state, of its parts, and of the curves on which phases coexist.
+"""SESAME-format ASCII files: tables of the equation of state, of its parts, and of the curves on which phases coexist.
 
-    301 total    303 ions with the cold curve    304 thermal electrons    305 ions with zero-point motion    306 cold curve (no zero point)
-    401 vaporization    411 solid on the melting line    412 liquid on it
+| table | contents |
+|---|---|
+| 301 | total equation of state |
+| 303 | ions with the cold curve |
+| 304 | thermal electrons |
+| 305 | ions with zero-point motion |
+| 306 | cold curve without zero-point motion |
+| 401 | vaporization curve |
+| 411 | solid on the melting curve |
+| 412 | liquid on the melting curve |
 
-The parts add up, pressures as energies:
+The parts add up, in pressure and in energy. With the number of the table as the index,
 
 $$p_{301} = p_{303} + p_{304} = p_{304} + p_{305} + p_{306}$$
 
-Both styles of text are read: the records of the ASCII exchange format
-(` 0 3720 301 ...`) and the Sandia style of ANEOS (` RECORD TYPE = 301 NWDS = ...`), in g/cm3, K, GPa and MJ/kg. Any problem raises a
+Two styles of text are read: the records of the ASCII exchange format, which begin like `0 3720 301`, and the Sandia style of ANEOS, which
+begins with `RECORD TYPE = 301 NWDS = ...`. The units in the file are g/cm3, K, GPa and MJ/kg; results are in SI. Any problem raises a
 DeckError with the file, the line and a remedy.
 
-Source: Lyon and Johnson, LA-UR-92-3407 (1992): grids hold NR, NT, densities, temperatures, then p, e (and A) with density fastest.
+Source: Lyon and Johnson, LA-UR-92-3407 (1992): a table holds the numbers of densities and temperatures, the densities, the temperatures,
+then pressure, energy and, in some files, free energy, with the density varying fastest.
 """
 
 import re
@@ -34,7 +43,7 @@ _ANEOS_INPUT = re.compile(r"^ANEOS[12]?\s", re.MULTILINE)
 
 
 class Record(NamedTuple):
-    """A table as given in the file: number of the material (None where the file gives none), of the table, its line, its rows."""
+    """A table as given in the file: numbers of the material (None where the file gives none) and of the table, its line, its rows."""
 
     material: int | None
     number: int
@@ -43,7 +52,7 @@ class Record(NamedTuple):
 
 
 class Grid(NamedTuple):
-    """A table over density (n,) and temperature (m,): pressure and energy (n, m), SI; free_energy is None where the file has none."""
+    """A table over density (n,) and temperature (m,), SI: pressure and energy (n, m), and free_energy, None where the file has none."""
 
     number: int
     line: int
@@ -55,7 +64,7 @@ class Grid(NamedTuple):
 
 
 class Curve(NamedTuple):
-    """Coexistence curve, SI arrays: temperature, pressure, density and energy of a phase; of 401 both phases, (2, n), vapour first."""
+    """A coexistence curve, SI: temperature, pressure, density and energy of a phase; in table 401 of both phases, (2, n), vapour first."""
 
     number: int
     line: int
@@ -71,7 +80,10 @@ def looks_like(line: str) -> bool:
 
 
 def records(text: str, name: str = "sesame.txt") -> list[Record]:
-    """Every record of the file with a number above 200, in order; DeckError where there is none."""
+    """Every record of the text of a file with a table number above 200, in order; DeckError where there is none.
+
+    name   name of the file for messages
+    """
     found: list[Record] = []
     rows: list[str] | None = None
     sandia_material = None
@@ -99,7 +111,14 @@ def materials(found: list[Record]) -> list[int | None]:
 
 
 def grid(found: list[Record], number: int = 301, material: int | None = None, name: str = "sesame.txt", units=UNITS) -> Grid:
-    """The first table `number` (of `material`); 301, where it is not in the file, as the sum of its parts."""
+    """A table of pressure and energy.
+
+    found      result of `records`
+    number     number of the table; 301 is formed from its parts if the file does not have it
+    material   number of the material; None: the first
+    name       name of the file for messages
+    units      SI values of the units of density, temperature, pressure and energy in the file
+    """
     record = _first(found, number, material)
     if record is not None:
         return _grid(record, name, units)
@@ -115,7 +134,7 @@ def grid(found: list[Record], number: int = 301, material: int | None = None, na
 
 
 def curve(found: list[Record], number: int, material: int | None = None, name: str = "sesame.txt") -> Curve | None:
-    """The table 401, 411 or 412, or None where the file has none; density and energy of 401 are (2, n), vapour first."""
+    """The table 401, 411 or 412, or None where the file has none; arguments as in `grid`."""
     record = _first(found, number, material)
     if record is None:
         return None
@@ -133,17 +152,18 @@ def curve(found: list[Record], number: int, material: int | None = None, name: s
 
 
 def constants(found: list[Record], material: int | None = None) -> dict[str, float]:
-    """Table 201: mean atomic number and mass (g/mol), density at rest (kg/m3). Its bulk modulus is left out: files differ in the unit."""
+    """Table 201: mean atomic number, mean atomic mass (g/mol) and reference density (kg/m3). Its bulk modulus is omitted, because files
+    differ in its unit."""
     record = _first(found, 201, material)
     words = _words(record) if record else []
     return dict(zip(("atomic_number", "atomic_mass", "density"), (w * unit for w, unit in zip(words, (1.0, 1.0, UNITS[0])))))
 
 
 def sum_differences(found: list[Record], material: int | None = None, name: str = "sesame.txt") -> dict[tuple[int, ...], tuple | None]:
-    """Difference of parts and total, for each sum whose tables are all in the file: {parts: (of p, of e, density, temperature)}.
+    """Differences between the total and the sums of its parts, for each sum whose tables are all in the file.
 
-    The largest |total - sum| relative to the sum of the magnitudes of the parts, in pressure and in energy, and the point of the largest in
-    pressure. None where the grids differ, so that no sum can be formed without interpolation.
+    Returns a dict: numbers of the parts -> (largest difference of the pressure, of the energy, and the density and temperature of the
+    former). A difference is relative to the sum of the magnitudes of the parts. None where the grids differ.
     """
     result: dict[tuple[int, ...], tuple | None] = {}
     for parts in SUMS:

@@ -1,8 +1,9 @@
 """Repair of tables p(rho, T), e(rho, T) whose energy falls, or stays constant, as the temperature rises.
 
-Tables assembled from several phases have such places at the phase boundaries. There two temperatures have the same energy, so T(rho, e)
-does not exist. At such a density some entries of pressure and energy are replaced by linear interpolation in temperature between the
-entries that are kept. These are chosen so that the energy rises from each to the next and the sum of the changes of the energy is least.
+**Repair.** In tables assembled from several phases the energy may fall, or stay constant, as the temperature rises. Two temperatures then
+have the same energy, and the temperature cannot be computed from density and energy. At such a density some pressures and energies are
+replaced by linear interpolation in temperature between the entries that are kept. These are chosen so that the energy rises from each to
+the next and the sum of the changes of the energy is least.
 """
 
 import math

@@ -1,12 +1,16 @@
 r"""Chapman-Jouguet state of any law, by tangency of the Rayleigh line; detonation Hugoniot and overdriven states.
 
-The products leave the front at their own sound speed. With $x = v_0 - v$ on the detonation Hugoniot this is
+The products leave the front at their own sound speed $c$. With the specific volume $v = 1/\rho$, the index 0 for the state ahead and $x =
+v_0 - v$ this means that on the detonation Hugoniot
 
-$$F(x) = \rho^2 c^2\,x - (p - p_0) = 0, \qquad D = v_0\sqrt{(p - p_0)/x},$$
+$$F(x) = \rho^2 c^2\,x - (p - p_0) = 0, \qquad D = v_0\sqrt{(p - p_0)/x}$$
 
-the point of least detonation velocity. F is negative near constant volume and changes sign once; a scan brackets the sign change,
-which is then refined. No gamma-law formula is used. Chemical energy is part of the energy of the upstream state (JWL: e0/rho0) or is given
-as `Initial.heat`. Source: KB codes section 4 with K-E4 corrected; Starkenberg A-5.
+which is the point of least detonation velocity $D$. The condition holds for any equation of state; no gamma-law formula is used. The
+chemical energy is part of the energy of the state ahead (JWL) or is given as its `heat`.
+
+Implementation: F is negative near constant volume and changes sign once; a scan brackets the sign change, which is then refined.
+
+Source: KB codes manual, section 4, with K-E4 corrected; Starkenberg, ARL-TR-2161, A-5.
 """
 
 import math
@@ -29,7 +33,7 @@ NO_CHARGE = 1e-3     # of the stiffness: less pressure at constant volume is rou
 
 @dataclass(frozen=True)
 class Detonation:
-    """The CJ point: `state` (its shock_velocity is the detonation velocity), upstream state, and the residual of the tangency."""
+    """The CJ point: `state` (its shock_velocity is the detonation velocity), the state ahead, and the residual of the tangency."""
 
     state: States
     initial: Initial
@@ -51,9 +55,10 @@ class Detonation:
 
 
 def explosive(material, density: float | None = None, heat: float = 0.0) -> Initial:
-    """The unreacted explosive ahead of a detonation: the law's reference density and energy at zero pressure.
+    """The unreacted explosive ahead of a detonation, an `Initial`: the reference density and energy of its products, at zero pressure.
 
-    For products (JWL) the reference energy is the detonation energy; `heat` (J/kg) adds to it for laws without one (a gas).
+    density   density of the charge, kg/m3; default: the reference density
+    heat      chemical energy, J/kg, added to the reference energy; needed for equations of state that do not contain it, such as a gas
     """
     par = law_of(material)
     rho0, e0 = (float(v) for v in contract.reference_state(par))
@@ -65,10 +70,12 @@ def explosive(material, density: float | None = None, heat: float = 0.0) -> Init
 
 
 def cj(material, initial: Initial | None = None) -> Detonation:
-    """The Chapman-Jouguet detonation of products that obey the material's law.
+    """The Chapman-Jouguet state of detonation products.
 
-    initial   the explosive ahead, with its heat (default: `explosive(material)`)
-    Raises `OutOfRange` if no detonation is possible (no energy is released), `NoSolution` if the tangency is not met to 1e-10.
+    material   the products
+    initial    state ahead, with its heat; default: `explosive(material)`
+
+    Raises OutOfRange if no energy is released, NoSolution if the tangency is not met to 1e-10.
     """
     par = law_of(material)
     ahead = initial or explosive(par)
@@ -104,9 +111,11 @@ def _refuse_unreacted(par, ahead: Initial) -> None:
 
 
 def overdriven(material, initial: Initial | None = None, *, branch: str = "strong", **given) -> States:
-    """States on the detonation Hugoniot from one of pressure, particle_velocity, density or shock_velocity (the front's).
+    """States on the detonation Hugoniot.
 
-    branch   for a given front velocity above the CJ velocity: "strong" (overdriven) or "weak" (supersonic products)
+    initial   state ahead, as in `cj`
+    branch    if the front velocity is given, which of the two states: strong (overdriven) or weak (supersonic products)
+    given     one of pressure (Pa), particle_velocity (m/s), density (kg/m3), shock_velocity (m/s, of the front): a number or an array
     """
     par = law_of(material)
     ahead = initial or explosive(par)
@@ -140,7 +149,9 @@ def detonation_hugoniot(material, initial: Initial | None = None, *, points: int
                         once: bool = False) -> States:
     """The Hugoniot with complete reaction: weak detonations from near constant volume, the CJ point, and overdriven detonations.
 
-    Evenly spaced in particle velocity, up to `up_to` m/s (default: 1.4 times that of the CJ point); `once` as in `shock`.
+    points   number of states, evenly spaced in particle velocity
+    up_to    highest particle velocity, m/s; default: 1.4 times that of the CJ point
+    once     as in `shock`
     """
     par = law_of(material)
     ahead = initial or explosive(par)
@@ -150,7 +161,7 @@ def detonation_hugoniot(material, initial: Initial | None = None, *, points: int
 
 
 class Tangency(NamedTuple):
-    """energy: E0, J per m3 of explosive; detonation_velocity m/s; pressure Pa and relative volume of the CJ point."""
+    """The CJ point of an isentrope: energy (E0, J per m3 of explosive), detonation_velocity (m/s), pressure (Pa), relative volume."""
 
     energy: float
     detonation_velocity: float
@@ -159,9 +170,12 @@ class Tangency(NamedTuple):
 
 
 def on_isentrope(isentrope: JWLIsentrope, rho0: float) -> Tangency:
-    """The CJ point on the principal isentrope of products, where the Rayleigh line through V = 1, p = 0 is tangent, and the energy E0.
+    """The CJ point on a JWL isentrope of the products, and the chemical energy E0 that follows from it.
 
-    -dp/dV = p/(1 - V), and E0 is what the Hugoniot through that point requires. rho0 of the explosive, kg/m3. Raises `NoSolution`.
+    isentrope   parameters of the isentrope
+    rho0        reference density of the explosive, kg/m3
+
+    The Rayleigh line through the relative volume V = 1 and zero pressure is tangent there: -dp/dV = p/(1 - V). Raises NoSolution.
     """
     from scipy.optimize import brentq
 

@@ -1,15 +1,15 @@
 r"""The scalar integrator along an isentrope, for any law, that release paths, fans and Riemann solutions use.
 
-With $y = \ln\rho$,
+Along an isentrope the energy, and in a simple wave the particle velocity $u$, follow from
 
-$$\frac{de}{dy} = \frac{p}{\rho}, \qquad \frac{du}{dy} = c$$
+$$\frac{de}{d\ln\rho} = \frac{p}{\rho}, \qquad \frac{du}{d\ln\rho} = \pm c$$
 
-(the first law at constant entropy, and the Riemann invariant of a simple wave, where u increases with y). Where both right-hand sides are
-smooth, Gragg's modified midpoint rule with Richardson extrapolation in
-$h^2$ (Bulirsch and Stoer) reaches round-off in few evaluations; a step that does not converge is halved. A law that consists of
-smooth pieces (a table of its cells) is integrated piece by piece, each continued smoothly until the path leaves it.
+with $+$ for a wave that moves towards $+x$ and $-$ for one towards $-x$. An equation of state that consists of smooth pieces, such as a
+table, is integrated piece by piece.
 
-Plain scalar code: `theory.kernels` compiles this same source. A status is returned, never an exception.
+Implementation: Gragg's modified midpoint rule with Richardson extrapolation in h^2 (Bulirsch and Stoer) reaches round-off in few
+evaluations; a step that does not converge is halved. Plain scalar code: `theory.kernels` compiles this same source. A status is returned,
+never an exception.
 """
 
 import math

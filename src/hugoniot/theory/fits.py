@@ -1,14 +1,20 @@
 r"""Fits: shock against particle velocity with error bars, JWL from a CJ state and an expansion curve, Jordan's adjusted Gamma.
 
-**Us-up.** A least-squares fit of $U_s = \sum_k a_k u_p^k$, linear or quadratic. It gives the covariance of the coefficients, the standard
-deviation of the points about the curve and the highest measured $u_p$, beyond which the fit extrapolates (KB codes, section 3).
+**Us-up.** A least-squares fit of $U_s = \sum_k a_k u_p^k$, linear or quadratic, with the covariance of the coefficients $a_k$ and the
+standard deviation of the points about the curve. Beyond the highest measured $u_p$ the fit extrapolates.
 
-**JWL.** On the isentrope through the CJ point, with V = v/v0,
-$p = A e^{-R_1V} + B e^{-R_2V} + C V^{-1-\omega}$. For any $R_1, R_2, \omega$ the CJ pressure, the tangency $-dp/dV = p/(1-V)$ and
-the energy $E(V_{CJ}) = E_0 + p(1-V)/2$ are three linear equations for A, B, C, so every trial reproduces the CJ state exactly, and only the
-exponents are fitted to the expansion curve, in $\ln p$. Source: Lee, Hornig and Kury, UCRL-50422, for the form.
+**JWL.** On the isentrope through the CJ point, with the relative volume $V = v/v_0$,
 
-**Gamma that satisfies the jump conditions** (Jordan eq. 7.1.31, missing from the scan and rederived): see `adjusted_gamma`.
+$$p = A e^{-R_1V} + B e^{-R_2V} + C V^{-1-\omega}$$
+
+For any exponents $R_1$, $R_2$, $\omega$ the coefficients $A$, $B$, $C$ follow from three linear equations: the CJ pressure, the tangency
+$-dp/dV = p/(1-V)$ and the energy $E(V_{CJ}) = E_0 + p(1-V)/2$ with the detonation energy $E_0$ per volume of explosive. Every trial thus
+reproduces the CJ state exactly, and only the exponents are fitted to the logarithm of the pressures of the expansion curve.
+
+**Adjusted Grüneisen parameter.** Jordan's truncated cubic equation of state satisfies the jump conditions of a shock state only with an
+adjusted Grüneisen parameter (Jordan eq. 7.1.31, missing from our copy and derived here); see `adjusted_gamma`.
+
+Source: KB codes manual, section 3, for Us-up; Lee, Hornig and Kury, UCRL-50422, for the form of the JWL; Jordan (2011), section 7.1.
 """
 
 import re
@@ -26,8 +32,13 @@ from hugoniot.units import UnitError, parse
 
 @dataclass(frozen=True)
 class UsUpFit:
-    """coefficients   a_k in SI, constant first; covariance of them; deviation: of the points about the curve, m/s (n - m degrees of
-    freedom); least, highest: range of the measured up, m/s; points: (up, us) that were fitted.
+    """A fitted Us-up relation.
+
+    coefficients    a_k in SI, constant first
+    covariance      covariance matrix of the coefficients
+    deviation       standard deviation of the points about the curve, m/s
+    least, highest  range of the measured particle velocities, m/s
+    points          the fitted points (up, us)
     """
 
     coefficients: tuple[float, ...]
@@ -61,7 +72,7 @@ class UsUpFit:
 
 
 def us_up(up, us, degree: int = 1) -> UsUpFit:
-    """Fit Us(up): arrays in m/s, degree 1 (linear) or 2 (quadratic). Raises `OutOfRange` for too few or unusable points."""
+    """Fit of Us(up), arrays in m/s, of degree 1 (linear) or 2 (quadratic). Raises OutOfRange for too few or unusable points."""
     up, us = np.asarray(up, float).ravel(), np.asarray(us, float).ravel()
     if degree not in (1, 2):
         raise OutOfRange(f"a Us-up fit is linear (1) or quadratic (2), not of degree {degree}")
@@ -89,23 +100,24 @@ _UNIT = re.compile(r"^(.*?)[\s_]*(?:[\(\[](.+)[\)\]]|(km_s|m_s|km/s|m/s|mm/us|GP
 
 
 def read_points(path) -> tuple[np.ndarray, np.ndarray]:
-    """(up, us) in m/s from a CSV file with a header naming the columns particle_velocity (or up) and shock_velocity (or us).
+    """Particle and shock velocities, m/s, from a CSV file with the columns particle_velocity (or up) and shock_velocity (or us).
 
-    A unit may follow in brackets, `up (km/s)`, or as `up_km_s`; without one the numbers are m/s. Lines that begin with # are skipped.
-    Raises `DeckError` with the line and the remedy.
+    A unit may follow a name, as in up (km/s) or up_km_s; without one the numbers are in m/s. Lines that begin with # are skipped. Raises
+    DeckError with the line and a remedy.
     """
     up, us = read_columns(path, _US_UP, "particle and shock velocities")
     return up, us
 
 
 def read_expansion(path) -> tuple[np.ndarray, np.ndarray]:
-    """(V = v/v0, pressure in Pa) of an expansion isentrope from a CSV file with columns volume and pressure, as `read_points`."""
+    """Relative volumes V = v/v0 and pressures (Pa) of an expansion isentrope from a CSV file with the columns volume and pressure, as
+    `read_points`."""
     volumes, pressures = read_columns(path, _EXPANSION, "relative volumes and pressures")
     return volumes, pressures
 
 
 def read_columns(path, columns: dict, what: str) -> tuple[np.ndarray, ...]:
-    """The named columns of a CSV file in SI, in the order of `columns`; `DeckError` with line and way out, `FileTrouble` for no file."""
+    """The named columns of a CSV file in SI, in the order of `columns`; DeckError with line and remedy, FileTrouble for no file."""
     path = Path(path)
     example = ", ".join(f"{words[-1]} ({_SAMPLE[unit]})" if unit != "1" else words[-1] for unit, words in columns.values())
     try:
@@ -177,9 +189,12 @@ def _number(path, line, name, cells, index, factor, unit):
 # -- JWL ---------------------------------------------------------------------------------------------------------
 @dataclass(frozen=True)
 class JwlFit:
-    """par: the fitted law; c: coefficient of its principal isentrope, Pa; deviation: root mean square of ln(p) about the curve.
+    """A fitted JWL equation of state.
 
-    at_bounds: exponents that ended where the search did.
+    par         its parameters
+    c           coefficient C of its principal isentrope, Pa
+    deviation   root mean square deviation of ln p from the curve
+    at_bounds   exponents that ended at a bound of the search
     """
 
     par: JWL
@@ -195,9 +210,13 @@ class JwlFit:
 
 
 def jwl_coefficients(rho0, velocity, pressure, energy, r1, r2, omega) -> tuple[float, float, float]:
-    """(A, B, C), Pa, that reproduce a CJ state for given exponents.
+    """A, B, C (Pa) of a JWL isentrope that reproduces a CJ state with given exponents.
 
-    rho0 kg/m3, detonation velocity m/s, CJ pressure Pa, energy E0 J/m3 (per volume of explosive).
+    rho0            reference density of the explosive, kg/m3
+    velocity        detonation velocity, m/s
+    pressure        CJ pressure, Pa
+    energy          detonation energy E0, J per m3 of explosive
+    r1, r2, omega   exponents
     """
     v = 1.0 - pressure / (rho0 * velocity**2)
     matrix = np.column_stack([exponential(v, r1), exponential(v, r2), power(v, omega)])
@@ -211,8 +230,11 @@ def fit_jwl(rho0: float, velocity: float, pressure: float, energy: float, volume
     """JWL from a CJ state and points of the expansion isentrope below it.
 
     rho0, velocity, pressure, energy   as in `jwl_coefficients`
-    volumes, pressures   relative volumes V = v/v0 above the CJ volume, pressures in Pa, both falling along the isentrope
-    omega   fixed, or None to fit it too. Raises `NoSolution` if no exponents with positive A and C describe the points.
+    volumes, pressures                 relative volumes above the CJ volume, and the pressures there (Pa)
+    omega                              fixed value; None: omega is fitted too
+    start                              R1, R2, omega at which the search begins
+
+    Raises NoSolution if no exponents with positive A and C describe the points.
     """
     from scipy.optimize import least_squares
 
@@ -254,13 +276,18 @@ def _on_bounds(x, bounds):
 
 # -- the Gamma that makes a truncated law meet the jump ----------------------------------------------------------
 def adjusted_gamma(rho0: float, c0: float, s: float, up: float, gamma: float, *, pressure: float = 101325.0) -> float:
-    r"""Grüneisen parameter with which the truncated cubic law of Jordan passes through a shock state.
+    r"""Grüneisen parameter with which the truncated cubic equation of state of Jordan passes through a shock state.
+
+    rho0       reference density, kg/m3
+    c0, s      constants of the linear Us-up relation, c0 in m/s
+    up         particle velocity of the shock state, m/s
+    gamma      Grüneisen parameter from the literature
+    pressure   pressure ahead P0, Pa
 
     $$g = \frac{P_s - \rho_0c_0^2(x + 2sx^2 + 3s^2x^3)}{\rho_se_s - \rho_0c_0^2(x^2/2 + sx^3)}, \qquad x = u_p/U_s, \quad
-      P_s = \rho_0U_su_p + P_0, \quad e_s = \frac{P_0}{g_{lit}\rho_0} + \frac{(P_s + P_0)x}{2\rho_0}$$
+      P_s = \rho_0U_su_p + P_0, \quad e_s = \frac{P_0}{\gamma\rho_0} + \frac{(P_s + P_0)x}{2\rho_0}$$
 
-    rho0 kg/m3, c0 and up m/s, `gamma` the literature value, `pressure` P0 ahead, Pa. Source: Jordan eq. 7.1.31, rederived.
-    A law whose reference curve is the exact Hugoniot reproduces its shock states for any Gamma and needs no adjustment.
+    with the index s for the shocked state. An equation of state whose reference curve is the exact Hugoniot needs no adjustment.
     """
     us, behind, density, energy = shocked_state(rho0, c0, s, up, gamma, pressure)
     x, modulus = up / us, rho0 * c0 * c0
@@ -268,7 +295,8 @@ def adjusted_gamma(rho0: float, c0: float, s: float, up: float, gamma: float, *,
 
 
 def shocked_state(rho0: float, c0: float, s: float, up: float, gamma: float, pressure: float) -> tuple[float, float, float, float]:
-    """(Us m/s, pressure Pa, density kg/m3, energy J/kg) behind a shock in a linear Us-up material, with pressure and energy ahead."""
+    """Shock velocity (m/s), pressure (Pa), density (kg/m3) and energy (J/kg) behind a shock in a linear Us-up material; arguments as in
+    `adjusted_gamma`."""
     us = c0 + s * up
     x = up / us
     if not 0.0 < x < 1.0:
@@ -279,6 +307,7 @@ def shocked_state(rho0: float, c0: float, s: float, up: float, gamma: float, pre
 
 
 def truncated_pressure(rho0: float, c0: float, s: float, gamma: float, density: float, energy: float) -> float:
-    """Pressure of Jordan's truncated law: the cubic of the cold curve with Gamma rho e, Pa."""
+    """Pressure (Pa) of Jordan's truncated equation of state: the cubic of the cold curve and gamma rho e, at a density (kg/m3) and an
+    energy (J/kg)."""
     x = 1.0 - rho0 / density
     return rho0 * c0 * c0 * (x + (2.0 * s - 0.5 * gamma) * x**2 + s * (3.0 * s - gamma) * x**3) + gamma * density * energy

@@ -1,7 +1,7 @@
-r"""Hugoniot curves of any law from any state: principal, second shock, distended material, with heat of reaction.
+"""Hugoniot curves of any law from any state: principal, second shock, distended material, with heat of reaction.
 
-The search for one state, with its equations, is in `theory.jump`. Here it is applied to numbers or arrays, directly for a few
-states and compiled (`theory.kernels`) for many. A search that fails raises an error that states the limit.
+Implementation: the search for one state, with its equations, is in `theory.jump`. Here it is applied to numbers or arrays, directly for a
+few states and compiled (`theory.kernels`) for many. A search that fails raises an error that states the limit.
 """
 
 import math
@@ -22,14 +22,15 @@ _MODES = {"pressure": jump.BY_PRESSURE, "particle_velocity": jump.BY_PARTICLE_VE
 
 
 def shock(material, initial: Initial | None = None, *, direction: int = 1, once: bool = False, **given) -> States:
-    """States behind a shock that runs into `initial` (default: the law's reference state).
+    """States behind a shock.
 
-    given       exactly one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an
-                array; velocities are in the frame of the laboratory
-    direction   +1: the shock runs towards +x, -1: towards -x
-    once        the curve is needed only once: up to ten thousand states are then computed without compilation, which takes seconds
-    Returns `States` of the shape of the input. Raises `OutOfRange` with the limit, or `NoSolution`.
-    Source: KB codes eqs 2.7 to 2.13, the energy equation corrected (K-E1 of docs/theory/source_errors.md); Starkenberg A-5.
+    initial     state ahead of the shock, an `Initial` (density, pressure, energy, velocity, heat); default: the reference state
+    direction   +1: the shock runs towards +x; -1: towards -x
+    once        True: up to ten thousand states are computed without compiling the search, which takes seconds
+    given       one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an array;
+                velocities are in the laboratory frame
+
+    Returns `States` of the shape of the input. Raises OutOfRange with the limit that is exceeded, or NoSolution.
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)
@@ -53,10 +54,14 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, once:
 
 def curve(material, initial: Initial | None = None, *, points: int = 101, up_to: float | None = None, direction: int = 1,
           once: bool = False) -> States:
-    """The Hugoniot from `initial` as `points` states evenly spaced in particle velocity, from rest to `up_to` m/s.
+    """The Hugoniot from an initial state, evenly spaced in particle velocity from the initial state on.
 
-    Default of `up_to`: the material's `valid_up_to`, else the upstream sound speed or 90 % of what the law reaches; `once` as in `shock`.
-    Raises `OutOfRange` for fewer than two points, and for an end that is not above rest or beyond the range of the law.
+    points   number of states
+    up_to    highest particle velocity, m/s; default: the highest for which the material's data are valid, if known, otherwise the sound
+             speed of the initial state or 90 % of what the equation of state allows
+
+    The other arguments are those of `shock`. Raises OutOfRange for fewer than two points and for an `up_to` that is not positive or is
+    beyond the range of the equation of state.
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)
@@ -70,9 +75,12 @@ def curve(material, initial: Initial | None = None, *, points: int = 101, up_to:
 
 
 def rayleigh_line(initial: Initial, shock_velocity: float, points: int = 2, particle_velocity: float | None = None):
-    """(particle velocity, pressure) along the Rayleigh line p = p0 + rho0 (Us - u0)(u - u0), from the upstream state.
+    """Particle velocity (m/s) and pressure (Pa) along the Rayleigh line p = p0 + rho0 (Us - u0)(u - u0), from the state ahead.
 
-    particle_velocity   where the line ends (default: at u = Us). Source: KB codes eq. 2.8.
+    initial             state ahead of the shock
+    shock_velocity      Us, m/s
+    points              number of points
+    particle_velocity   particle velocity at the end of the line, m/s; default: Us
     """
     end = shock_velocity if particle_velocity is None else particle_velocity
     u = np.linspace(initial.velocity, end, points)
@@ -80,12 +88,11 @@ def rayleigh_line(initial: Initial, shock_velocity: float, points: int = 2, part
 
 
 def limit(material, initial: Initial | None = None) -> States:
-    """The end of the Hugoniot: the state of highest density that the law allows a single shock to reach.
+    """The end of the Hugoniot: the state of highest density that a single shock can reach.
 
-    It is a density limit of the law (the pole of a linear shock-particle velocity fit), or the point where 1 - (dp/de)(v0 - v)/2 vanishes
-    (Segletes' stability limit, Starkenberg A-5). There the Hugoniot is vertical, and any pressure satisfies the law and
-    the jump conditions.
-    Pressure or particle velocity are infinite at the end, or finite for a fit with s < 1 (J-E16) and at the edge of a table.
+    The Hugoniot becomes vertical there, because of a density limit of the equation of state (such as the pole of a linear Us-up relation)
+    or because 1 - (dp/de)(v0 - v)/2 vanishes (Segletes' limit, Starkenberg A-5). Pressure and particle velocity are infinite there, or
+    finite at the edge of a table and for a Us-up relation of slope below 1 (J-E16).
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)
@@ -118,10 +125,10 @@ def limit(material, initial: Initial | None = None) -> States:
 
 
 def residual(material, initial: Initial, states: States):
-    """The largest relative residual of the three jump conditions and of the law itself, state by state.
+    """The largest relative residual of the three jump conditions and of the equation of state, for each state.
 
-    Mass, momentum and energy in the frame of the shock, each divided by the largest of its terms; the law's pressure by the
-    bulk modulus where that is larger (one unit of round-off in density is that much pressure).
+    Each conservation law is divided by its largest term, and the pressure residual by the bulk modulus where it is larger than the
+    pressure.
     """
     par = law_of(material)
     stiffness = abs(contract.bulk_modulus(*contract.reference_state(par), par))
@@ -140,10 +147,13 @@ def residual(material, initial: Initial, states: States):
 
 
 def entropy_rise(material, initial: Initial, density: float) -> float:
-    r"""Entropy gained in the shock to `density`, J/(kg K), for any law with a temperature: integral of T ds along the Hugoniot.
+    r"""Entropy gained in a shock to a given density (kg/m3), J/(kg K), for any equation of state with a temperature.
 
-    $$T\,ds = \tfrac12\left[(v_0 - v)\,dp - (p - p_0)\,dx\right], \qquad x = v_0 - v,$$
-    with dp/dx from the differentiated jump condition; Gauss-Legendre quadrature, 40 points. Inert shocks from a state of the law.
+    It is the integral of T ds along the Hugoniot, with $x = v_0 - v$:
+
+    $$T\,ds = \tfrac12\left[x\,dp - (p - p_0)\,dx\right]$$
+
+    For shocks without heat of reaction from a state of the equation of state.
     """
     par = law_of(material)
     if "temperature" not in EOS.of(par).functions:

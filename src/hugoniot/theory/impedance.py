@@ -1,14 +1,18 @@
 r"""Impedance matching: the states that a flyer produces in a stack of layers, interface by interface, with reshock and release.
 
-At an interface the shock arriving from the left meets a layer at rest. Pressure and velocity are continuous, so the state is
-the intersection of the right-going Hugoniot of the layer ahead with the reflected curve of the layer behind: a reshock if the layer ahead
-is stiffer, a release isentrope if it is softer. Both are the exact curves of the laws (`theory.riemann`), not the mirror image of
-the principal Hugoniot:
+When a shock reaches an interface, pressure and velocity behind the transmitted and the reflected wave are equal. The state is therefore the
+intersection of the Hugoniot of the layer ahead, A, with the curve of the layer behind, B, for the reflected wave: a reshock if the layer
+ahead is stiffer, a release isentrope if it is softer.
 
-$$u_A - \phi_A(p) = u_B + \phi_B(p), \qquad \phi_k(p) = \begin{cases}\sqrt{(p - p_k)(v_k - v_H(p))} & p > p_k\\[2pt]
+$$u_B - \phi_B(p) = u_A + \phi_A(p), \qquad \phi_k(p) = \begin{cases}\sqrt{(p - p_k)(v_k - v_H(p))} & p > p_k\\[2pt]
   \int_{p_k}^{p} dp/(\rho c) & p < p_k\end{cases}$$
 
-where A is the layer behind and B the one ahead. Source: KB codes section 2; Meyers, Dynamic Behavior of Materials, ch. 7, for the method.
+* $u_k$, $p_k$, $v_k$: particle velocity, pressure and specific volume $1/\rho$ of layer k before the interaction
+* $v_H$: specific volume on the Hugoniot from that state; the integral is along its isentrope
+
+The curves are exact: the reflected Hugoniot is not approximated by the mirror image of the principal one.
+
+Source: KB codes manual, section 2; Meyers, Dynamic Behavior of Materials, ch. 7, for the method.
 """
 
 from collections.abc import Sequence
@@ -22,11 +26,12 @@ from hugoniot.theory.states import States, law_of
 
 @dataclass(frozen=True)
 class Match:
-    """One interaction of a wave with an interface.
+    """The result of one interaction of a wave with an interface.
 
-    interface     number of the interface (0: flyer and first target)
-    left, right   states on its two sides afterwards; a state behind a shock has its shock_velocity
-    wave_left, wave_right   "shock", "fan" or "none": the outgoing waves
+    interface               number of the interface (0: flyer and first target)
+    left, right             states on its two sides afterwards; a state behind a shock has its shock_velocity
+    wave_left, wave_right   outgoing waves: shock, fan or none
+    separated               whether the two sides have separated
     """
 
     interface: int
@@ -48,12 +53,14 @@ class Match:
 
 
 def match(layers: Sequence, velocity: float, *, initial: Sequence[States] | None = None) -> list[Match]:
-    """The states at every interface of a stack in the order in which the first shock reaches them.
+    """The states at every interface of a stack, in the order in which the first wave reaches them.
 
-    layers     flyer first, then the targets: materials or parameter tuples, at least two
-    velocity   of the flyer towards the targets, m/s
-    initial    states before the impact (default: each at its reference state, the flyer at `velocity`)
-    Raises `OutOfRange` if the flyer does not reach the target or a state lies outside the range of a law.
+    layers     flyer first, then the targets, at least two: materials or parameters of equations of state
+    velocity   velocity of the flyer towards the targets, m/s
+    initial    states before the impact; default: the reference states, the flyer at `velocity`
+
+    Returns a list of `Match`. Raises OutOfRange if the flyer does not reach the target or a state lies outside the range of an equation
+    of state.
     """
     if len(layers) < 2:
         raise OutOfRange("an impact needs a flyer and at least one target")
@@ -71,9 +78,12 @@ def match(layers: Sequence, velocity: float, *, initial: Sequence[States] | None
 def ring_up(layers: Sequence, velocity: float, *, layer: int = 1, bounces: int = 10) -> list[Match]:
     """The states of one layer as the wave reverberates between its neighbours, which are taken as semi-infinite.
 
-    layer     number of the layer in the stack (its neighbours exist on both sides)
-    bounces   how many reflections after the first shock has reached the far side of the layer
-    The list begins with the first passage; each further entry is the reflection at the far or near interface of the layer in turn.
+    layers     as in `match`
+    velocity   velocity of the flyer, m/s
+    layer      number of the layer in the stack, with neighbours on both sides
+    bounces    number of reflections after the first shock has reached the far side of the layer
+
+    Returns a list of `Match`: the first passage, then the reflections at the far and the near interface of the layer in turn.
     """
     if not 1 <= layer <= len(layers) - 2:
         raise OutOfRange(f"layer {layer} does not have two neighbours in a stack of {len(layers)}: give 1 to {len(layers) - 2}")

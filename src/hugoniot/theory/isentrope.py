@@ -1,7 +1,6 @@
-r"""Isentropes of any law through any state: release to a pressure, a density or a velocity, and to vacuum.
+"""Isentropes of any law through any state: release to a pressure, a density or a velocity, and to vacuum.
 
-The integrator and its equations are in `theory.expansion`. In a simple wave that moves towards +x (`direction` +1)
-$du = dp/(\rho c) = c\,d\ln\rho$; towards -x the sign is reversed.
+Implementation: the integrator and its equations are in `theory.expansion`.
 """
 
 import math
@@ -22,13 +21,14 @@ AMBIENT = 1e3  # Pa: a law with more than that at rest is a gas
 
 
 def isentrope(material, start: States | None = None, *, direction: int = 1, **given) -> States:
-    """States on the isentrope through one state.
+    """States on the isentrope through a state.
 
-    start       a single state (default: the law's reference state at rest)
-    given       exactly one of density (kg/m3), pressure (Pa), particle_velocity (m/s): a number or an array
-    direction   +1: a wave towards +x makes the change, so that release lowers the particle velocity;
-                -1: towards -x (release at a free surface on the right: velocity rises)
-    Raises `OutOfRange` where the isentrope ends (a tension that is not supported, a limit of the law), with the last state.
+    start       a single state; default: the reference state
+    direction   +1: a wave towards +x, in which release lowers the particle velocity; -1: a wave towards -x, as from a free surface on the
+                right, in which release raises it
+    given       one of density (kg/m3), pressure (Pa), particle_velocity (m/s): a number or an array
+
+    Raises OutOfRange where the isentrope ends (a tension that is not supported, a limit of the equation of state), with the last state.
     """
     par = law_of(material)
     start = start or reference(par)
@@ -54,15 +54,17 @@ def isentrope(material, start: States | None = None, *, direction: int = 1, **gi
 
 
 def reference(material, velocity: float = 0.0) -> States:
-    """The law's reference state as a single state."""
+    """The reference state of a material, with a particle velocity in m/s."""
     par = law_of(material)
     rho, e = (float(v) for v in contract.reference_state(par))
     return States(par, rho, float(contract.pressure(rho, e, par)), e, velocity)
 
 
 def state(material, velocity: float = 0.0, **given) -> States:
-    """A single state from any two of density (kg/m3), pressure (Pa), energy (J/kg), temperature (K); one: with the reference density,
-    or with zero pressure if that one is the density; none: the reference state.
+    """A single state from two of density (kg/m3), pressure (Pa), energy (J/kg) and temperature (K).
+
+    If only one is given, the density is the reference density, or the pressure is zero if the density is given. Without any it is the
+    reference state. `velocity` is the particle velocity, m/s.
     """
     par = law_of(material)
     if stray := set(given) - {"density", "pressure", "energy", "temperature"}:
@@ -90,10 +92,14 @@ def state(material, velocity: float = 0.0, **given) -> States:
 
 
 def release(material, start: States, to: float = 0.0, *, direction: int = -1, points: int = 1) -> States:
-    """The release isentrope from `start` down to the pressure `to`, Pa: its end, or `points` states evenly spaced in pressure.
+    """The release isentrope from a state down to a pressure.
 
-    direction -1 (default): the release runs back towards -x, as from a free surface or a softer neighbour on the right.
-    A law with a memory (crushed pores) releases elastically, with the compaction reached by the loading to `start`.
+    start       a single state
+    to          final pressure, Pa
+    direction   -1: the release runs towards -x, as from a free surface or a softer layer on the right; +1: towards +x
+    points      number of states, evenly spaced in pressure; 1: the end only
+
+    A material with crushed pores is released elastically, with the compaction that the loading to `start` has produced.
     """
     material = elastic(history(material, start))
     if to > start.pressure:
@@ -104,9 +110,10 @@ def release(material, start: States, to: float = 0.0, *, direction: int = -1, po
 
 
 def expansion_to(material, start: States, to: float, points: int) -> States:
-    """States on the isentrope from `start` to the pressure `to`, Pa, as behind a wave that runs back into the material.
+    """States on the isentrope from a state to the pressure `to`, Pa, behind a wave that runs towards -x.
 
-    A release of crushed pores is elastic. The pressures of gases and products are spaced by equal factors, others by equal steps.
+    Crushed pores are released elastically. The pressures of gases and detonation products are spaced by equal factors, others by equal
+    steps.
     """
     flags = EOS.of(law_of(material)).flags
     if to <= start.pressure and "reacted" not in flags:
@@ -118,7 +125,7 @@ def expansion_to(material, start: States, to: float, points: int) -> States:
 
 
 def at_temperature(material, density: float, temperature: float) -> tuple[float, float]:
-    """(pressure Pa, energy J/kg) at a density and a temperature; 0 K is the law's cold curve. `OutOfRange` where there is no such state."""
+    """Pressure (Pa) and energy (J/kg) at a density (kg/m3) and a temperature (K). OutOfRange where there is no such state."""
     par = law_of(material)
     if not temperature >= 0.0:
         raise OutOfRange(f"a temperature of {temperature:.6g} K is not a valid state")
@@ -127,15 +134,15 @@ def at_temperature(material, density: float, temperature: float) -> tuple[float,
 
 
 def grid(material, densities, temperatures) -> tuple[np.ndarray, np.ndarray]:
-    """(pressure Pa, energy J/kg), each (n, m), at n densities (kg/m3) and m temperatures (K), as the law `table` holds them."""
+    """Pressure (Pa) and energy (J/kg), each (n, m), at n densities (kg/m3) and m temperatures (K), as for the equation of state `table`."""
     found = np.array([[at_temperature(material, float(rho), float(t)) for t in temperatures] for rho in densities])
     return found[..., 0], found[..., 1]
 
 
 def history(material, start: States) -> Any:
-    """The law after loading to `start`: pores crushed up to there stay crushed; the law itself where it has no memory.
+    """The equation of state after loading to a state: pores crushed by it stay crushed. Unchanged if it has no memory.
 
-    If the law of the state (`start.par`) already has a history, further crushing is added to it.
+    If `start` has a history of crushing already, it is kept.
     """
     par = law_of(material)
     if "remembers" not in EOS.of(par).flags:
@@ -149,21 +156,20 @@ def history(material, start: States) -> Any:
 
 
 def elastic(par) -> Any:
-    """The branch on which a law with a memory unloads and reloads; any other law unchanged."""
+    """The branch on which a porous material unloads and reloads; any other equation of state unchanged."""
     return contract.unloading(par) if "remembers" in EOS.of(par).flags else par
 
 
 def unload(material, start: States, *, direction: int, **given) -> States:
-    """The isentrope through `start` to what is given (see `isentrope`), elastic where the law has a memory, which its states keep."""
+    """The isentrope through a state, as `isentrope`; crushed pores are released elastically, and the states keep that history."""
     kept = history(material, start)
     return replace(isentrope(elastic(kept), start, direction=direction, **given), par=kept)
 
 
 def escape(material, start: States) -> float:
-    r"""Velocity gained by expansion into vacuum, m/s: $\int_0^\rho c\,d\ln\rho$, for a law that becomes a gas when thin.
+    r"""Velocity gained by expansion from a state into vacuum, m/s: $\int_0^\rho c\,d\ln\rho$, for materials that become a gas when thin.
 
-    Integrated until $p = \Gamma\rho e$ holds to 1e-13, then the tail 2c/Gamma of an ideal gas (gamma - 1 = Gamma) is added.
-    Raises `OutOfRange` for a law that has zero pressure at a finite density (a condensed material).
+    Raises OutOfRange for an equation of state with zero pressure at a finite density (a condensed material).
     """
     par = law_of(material)
     y, e, u = math.log(start.density), float(start.specific_internal_energy), 0.0
@@ -185,11 +191,9 @@ def escape(material, start: States) -> float:
 
 
 def residual(states: States) -> float:
-    r"""Largest residual of de + p dv = 0 between neighbouring states, relative to the energy exchanged.
+    """Largest residual of de + p dv = 0 between neighbouring states, relative to the energy exchanged.
 
-    The work between two states is computed independently of the integrator, by Gauss-Legendre quadrature of p/rho in ln(rho) on the
-    isentrope. There are 12 nodes per smooth piece of the law (an edge of a table's cell ends a piece) and per 0.3 in ln(rho). Intervals are
-    halved until both halves agree with the whole, which is necessary at a kink of a law (pores that begin to close).
+    The work between two states is computed independently of the integrator, by Gauss-Legendre quadrature on the isentrope.
     """
     worst = 0.0
     for i in range(len(states) - 1):

@@ -1,19 +1,22 @@
 r"""One state behind a shock, for any law: the scalar search that every curve of the package uses.
 
-With $x = v_0 - v$ (specific volume lost), mass, momentum and energy across a shock that releases the heat $q$ read
+With the specific volume $v = 1/\rho$ and $x = v_0 - v$, the conservation of mass, momentum and energy across a shock that releases the
+heat $q$ reads
 
 $$p - p_0 = m^2 x, \qquad m = \rho_0 (U_s - u_0), \qquad (u - u_0)^2 = (p - p_0)\,x, \qquad
-  e - e_0 = q + \tfrac12 (p + p_0)\,x .$$
+  e - e_0 = q + \tfrac12 (p + p_0)\,x$$
 
-For a given pressure, particle velocity or shock velocity, pressure and energy are explicit functions of $x$ alone, and the equation
-of state determines x: $g(x) = p_{law}(1/(v_0 - x), e(x)) - p(x) = 0$. In $x$ the root is single where the law is stable,
-also for distended material, whose density may fall along the curve. If the density is given, $x$ is known and $p$ is sought.
-Newton's method works inside a bracket, which is halved where a step would leave it.
+* index 0: the state ahead; $u$: particle velocity; $U_s$: shock velocity; $m$: mass flux through the shock
 
-The functions are plain scalar code, so that `theory.kernels` compiles this same source for arrays. They return a status and
-never raise; `theory.hugoniot` turns a status into an error that states the limit.
+If the pressure, the particle velocity or the shock velocity is given, $p$ and $e$ are functions of $x$ alone, and the equation of state
+determines $x$. If the density is given, $x$ is known and $p$ is found. Porous materials, in which the density may fall along the
+Hugoniot, are included.
 
-Source: KB codes eqs 2.7 to 2.13 with the energy sign corrected (K-E1), 4.3 for the heat; Starkenberg A-5.
+Implementation: in x the root is single where the law is stable. Newton's method works inside a bracket, which is halved where a step
+would leave it. The functions are plain scalar code, so that `theory.kernels` compiles this same source for arrays. They return a status
+and never raise; `theory.hugoniot` turns a status into an error that states the limit.
+
+Source: KB codes manual, equations 2.7 to 2.13 with the energy sign corrected (K-E1), and 4.3 for the heat; Starkenberg, ARL-TR-2161, A-5.
 """
 
 import math

@@ -1,8 +1,10 @@
-r"""Reacting mixtures of any two equations of state: states, slopes, limits, adiabats and frozen Hugoniots.
+"""Reacting mixtures of any two equations of state: states, slopes, limits, adiabats and frozen Hugoniots.
 
-Three closures (`laws/mixture`): "thermal_isolation" (equal pressures, the reactant on its isentrope), "thermal_equilibrium" (equal
-pressures and temperatures) and "weighted_pressures" (for comparison). Source: Starkenberg ARL-TR-2161 sections 3 to 5 and
-appendix B, with the corrections S-E1 to S-E3 and S-E13 of docs/theory/source_errors.md.
+Three closures are available: `thermal_isolation` (equal pressures, the reactants on their isentrope), `thermal_equilibrium` (equal
+pressures and temperatures) and `weighted_pressures` (for comparison). Q is the chemical energy, which the energy of the reactants
+includes.
+
+Source: Starkenberg, ARL-TR-2161, sections 3 to 5 and appendix B, with the corrections S-E1 to S-E3 and S-E13.
 """
 
 from collections.abc import Callable
@@ -27,10 +29,10 @@ COMPILE_ABOVE = 200  # states
 
 @dataclass(frozen=True)
 class MixtureState:
-    """Solved states; every field an array of one shape, SI. Phase energies are on the mixture's scale (the reactant's includes Q).
+    """Solved states of a mixture: every field an array of one shape, SI. The energies of the phases include Q for the reactants.
 
-    pressure_by_volume, pressure_by_energy, pressure_by_burn_fraction   slopes of p(v, e, burn fraction)
-    status   0 where the search converged, see laws.mixture.contract
+    pressure_by_volume, pressure_by_energy, pressure_by_burn_fraction   derivatives of p(v, e, burn fraction)
+    status                                                              0 where the search converged
     """
 
     par: Any
@@ -123,12 +125,14 @@ class MixtureState:
 
 
 def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
-    """Both phases and the slopes of the pressure at every (density, energy, burn fraction), broadcast together.
+    """Both phases and the derivatives of the pressure at densities (kg/m3), energies (J/kg, with Q) and burn fractions.
 
-    reference   (density, energy) of a point of the reactant's isentrope, energy on the mixture's scale (with Q); needed by
-                "thermal_isolation" only: the state just behind the last shock (Starkenberg section 4.3)
-    A few states are solved in Python, many by compiled code. Raises NoSolution with the first state that has no solution, OutOfRange for
-    burn fractions outside 0..1 and for input that must be positive.
+    par         parameters of the mixture, made by `theory.mixture.mixture(closure, reactants, products)`
+    reference   (density, energy with Q) of a point on the isentrope of the reactants, such as the state just behind the last shock; needed
+                for `thermal_isolation` only
+
+    Raises NoSolution with the first state that has no solution, OutOfRange for burn fractions outside 0 to 1 and for input that must be
+    positive.
     """
     if reference is None:
         if "follows_isentrope" in MIXTURE.of(par).flags:
@@ -165,10 +169,13 @@ def _solve_plainly(rows, par, out) -> None:
 
 
 def energy_with(density: float, burn_fraction: float, par, reference, **given) -> float:
-    """Energy, J/kg with Q, at which the mixture of that density has the given `pressure` (Pa) or `temperature` (K).
+    """Energy, J/kg with Q, at which a mixture of given density (kg/m3) and burn fraction has a pressure (Pa) or a temperature (K).
 
-    reference   as in `solve`; the search begins at its energy. Newton steps are halved where they would leave the states of the mixture.
-    Raises NoSolution where no energy is found, OutOfRange for a temperature that the closure or a law does not give.
+    par         parameters of the mixture
+    reference   as in `solve`; the search begins at its energy
+    given       pressure=... or temperature=...
+
+    Raises NoSolution where no energy is found, OutOfRange for a temperature that the closure or an equation of state does not have.
     """
     (name, target), = given.items()
     e = float(reference[1])
@@ -203,7 +210,7 @@ def _temperature_slope(state: MixtureState, reference) -> float:
 
 @dataclass(frozen=True)
 class VanishingSeries:
-    """Taylor coefficients in the burn fraction: x = x[0] + x[1] lambda + x[2] lambda^2; volumes m3/kg, energies J/kg (with Q)."""
+    """Taylor coefficients in the burn fraction, x = x[0] + x[1] lambda + x[2] lambda^2: volumes in m3/kg, energies in J/kg (with Q)."""
 
     v_r: tuple[float, float, float]
     e_r: tuple[float, float, float]
@@ -212,9 +219,10 @@ class VanishingSeries:
 
 
 def vanishing_series(density: float, energy: float, par) -> VanishingSeries:
-    """Expansion about burn fraction 0 at constant volume and energy in thermal isolation (Starkenberg section 5.9, corrected: S-E3).
+    """Expansion about burn fraction 0 at constant density (kg/m3) and energy (J/kg with Q), in thermal isolation.
 
-    The reactant's isentrope passes through (density, energy - Q), as the limit requires. Raises NoSolution without nascent products.
+    The isentrope of the reactants passes through (density, energy - Q). Raises NoSolution if there is no state of the first products.
+    Starkenberg section 5.9, corrected (S-E3).
     """
     state = solve(density, energy, 0.0, par, reference=(density, energy))
     mixed = state.mixed()
@@ -229,11 +237,13 @@ def vanishing_series(density: float, energy: float, par) -> VanishingSeries:
 
 
 def adiabat(start: MixtureState, volumes, burn_fraction: Callable[[float], float] | None = None) -> MixtureState:
-    """States along the mixture adiabat de + p dv = 0 from a single solved state (Starkenberg section 5.7).
+    """States along the adiabat de + p dv = 0 of a mixture, from a single solved state.
 
-    volumes         specific volumes along the adiabat, monotone, m3/kg
-    burn_fraction   burn fraction as a function of volume; None: frozen, and the adiabat is an isentrope
-    The reactant's isentrope runs through `start`. Raises NoSolution where no mixture state exists on the way.
+    start           the state; the isentrope of the reactants runs through it
+    volumes         specific volumes along the adiabat, m3/kg, monotonic
+    burn_fraction   function that returns the burn fraction at a volume; None: no reaction, and the adiabat is an isentrope
+
+    Raises NoSolution where no mixture state exists on the way.
     """
     par, mixed = start.par, start.mixed()
     lam = burn_fraction or (lambda v: float(start.burn_fraction))
@@ -254,7 +264,8 @@ def adiabat(start: MixtureState, volumes, burn_fraction: Callable[[float], float
 
 
 def hugoniot_volume(pressure: float, rho_u: float, e_u: float, p_u: float, par) -> float:
-    """Volume on the Hugoniot of one phase centred on (rho_u, e_u, p_u) at the given pressure >= p_u, m3/kg; NoSolution without one."""
+    """Specific volume, m3/kg, on the Hugoniot of one phase at a pressure (Pa), from the state rho_u (kg/m3), e_u (J/kg), p_u (Pa).
+    NoSolution without one."""
     v_u = 1.0 / rho_u
     low = 1.0 / min(float(eos.density_limits(par)[1]), 20.0 * rho_u)
 
@@ -275,7 +286,7 @@ def hugoniot_volume(pressure: float, rho_u: float, e_u: float, p_u: float, par) 
 
 @dataclass(frozen=True)
 class FrozenHugoniot:
-    """Shocked mixtures at given pressures, no reaction in the shock: arrays, SI; energies with Q."""
+    """Shocked mixtures at given pressures, without reaction in the shock: arrays, SI; energies with Q."""
 
     pressure: np.ndarray
     density: np.ndarray
@@ -295,9 +306,9 @@ class FrozenHugoniot:
 
 
 def frozen_hugoniot(upstream: MixtureState, pressures) -> FrozenHugoniot:
-    """Each phase on its own Hugoniot from the upstream state to one pressure (Starkenberg section 5.8); velocities relative to upstream.
+    """Shocks in a mixture without reaction: each phase on its own Hugoniot, from the state ahead to the same pressures (Pa).
 
-    The reactant state found is the reference state of its isentrope downstream. Raises NoSolution beyond a compression limit.
+    Velocities are relative to the state ahead. Raises NoSolution beyond a limit of compression.
     """
     par, u = upstream.par, upstream.mixed()
     lam, q, v_u = float(upstream.burn_fraction), upstream.par.detonation_energy, 1.0 / float(upstream.density)

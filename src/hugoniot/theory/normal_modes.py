@@ -1,25 +1,22 @@
 r"""Normal modes of a plane detonation for any law, any mixture and any rate: small disturbances of the reaction zone of `theory.znd`.
 
-Fields are functions of the burn fraction and time. A rate that sets in at some burn fraction then causes no discontinuity, and a rate that
-begins as a power of the burn fraction causes no infinite slope.
-
-With $r = d\lambda/dt$ a particle has $D/Dt = \partial_t + r\,\partial_\lambda$, and in the frame of the front, where
-the material runs towards $-x$ and $X = \partial x/\partial\lambda$,
+**Any equation of state, mixture and rate.** The fields are functions of the burn fraction $\lambda$ and time, so that a rate that begins
+suddenly or as a power of the burn fraction causes no discontinuity. With $r = d\lambda/dt$ and $X = \partial x/\partial\lambda$, in the
+frame of the front, where the material runs towards $-x$, a particle has $D/Dt = \partial_t + r\,\partial_\lambda$ and
 
 $$\frac{D\rho}{Dt} = -\frac{\rho u_\lambda}X,\quad \frac{Du}{Dt} = -\frac{p_\lambda}{\rho X},\quad
   \frac{Dp}{Dt} = -\rho c^2\frac{u_\lambda}X + \left(\frac{\partial p}{\partial\lambda}\right)_{v,e} r,\quad
   \frac{Dx}{Dt} = u - \dot\psi,\quad \frac{DK}{Dt} = 0$$
 
-with the frozen sound speed c, the displacement of the front $\psi$, and K the velocity of the front at which a particle was shocked: it
-selects the isentrope of isolated reactants. In the steady wave $X = u/r$. Perturbations $(\rho', u', p', x', K')\,e^{\alpha t}$ per
-perturbation of the front's velocity start from the perturbed shock. $\alpha$ is a mode if no acoustic wave runs from the end of the zone
-towards the front, $p' + \rho c u' = 0$ at a fixed position.
+* $c$: sound speed without reaction; $\psi$: displacement of the front; the index $\lambda$ denotes a derivative
+* $K$: velocity of the front at which a particle was shocked, which selects the isentrope of the reactants in thermal isolation
 
-The linear equations are integrated by Gauss-Legendre collocation of order sixteen. Its coefficients are computed once for each zone:
-the slopes of $\rho c^2$, $(\partial p/\partial\lambda)_{v,e}$ and r by fourth-order differences.
+These equations are linearised about the steady wave, in which $X = u/r$, for perturbations that vary as $e^{\alpha t}$ and begin at the
+perturbed shock. $\alpha$ is a mode if no acoustic wave runs from the end of the zone towards the front, $p' + \rho c u' = 0$.
 
-Source: the problem is that of J. J. Erpenbeck, Phys. Fluids 5 (1962) 604; the equations are the Euler equations linearised
-(`theory.stability` has another form of them, at given places, for one rate and law).
+Implementation: the linear equations are integrated by Gauss-Legendre collocation of order sixteen. Its coefficients are computed once for
+each zone: the slopes of rho c^2, (dp/dlambda) at v and e, and r by fourth-order differences. `theory.stability` has another form of the
+equations, at given places, for one rate and law.
 """
 
 import cmath

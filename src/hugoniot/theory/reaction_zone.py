@@ -1,19 +1,26 @@
 r"""States of a steady reaction zone as functions of the reacted fraction, for one law that releases heat or for a mixture.
 
-Every state lies on the Rayleigh line of mass flux $m = \rho_0 D$. With $x = v_0 - v$ momentum and energy give
+In the frame of the front every state lies on the Rayleigh line of the mass flux $m = \rho_0 D$. With the specific volume $v = 1/\rho$,
+the index 0 for the state ahead and $x = v_0 - v$,
 
-$$p = p_0 + m^2x, \qquad e = e_0 + p_0x + \tfrac12m^2x^2 ,$$
+$$p = p_0 + m^2x, \qquad e = e_0 + p_0x + \tfrac12m^2x^2$$
 
-and the equation of state gives the reacted fraction at x. For **one law** with heat Q, $e(\rho, p) = e + \lambda Q$, so
-$\lambda(x)$ is explicit. In **a mixture** Q is part of the reactants' energy (Starkenberg section 3), so at every x both density and energy
-are known and
+and the equation of state gives the reacted fraction $\lambda$ at each $x$. For one equation of state, $e_{eos}(\rho, p)$, with the heat $Q$
+it is
 
-$$G(x) = p_{mix}(v_0 - x, e, \lambda) - p_0 - m^2x = 0, \qquad G' = i^2 - m^2,$$
+$$\lambda = \frac{e_{eos}(\rho, p) - e}{Q}$$
 
-with the frozen impedance $i = \rho c$. On the branch behind a shock the flow is subsonic, $i > m$, so G increases, and Newton's method from
-the compressed side converges monotonically. If $i = m$ before burning is complete, no steady zone with that velocity exists.
+In a mixture $Q$ is part of the energy of the reactants, and $\lambda$ is found from the pressure of the mixture,
 
-Source: Starkenberg ARL-TR-2161 sections 3, 5 and 6; Fickett and Davis, Detonation (1979), chapters 2 and 5.
+$$p_{mix}(\rho, e, \lambda) = p_0 + m^2x$$
+
+On the branch behind a shock the flow is subsonic, that is, the frozen impedance $i = \rho c$ exceeds $m$. If $i = m$ before burning is
+complete, no steady zone with that velocity exists.
+
+Implementation: the residual of the mixture's pressure has the slope i^2 - m^2 > 0 in x, so Newton's method from the compressed side
+converges monotonically.
+
+Source: Starkenberg, ARL-TR-2161, sections 3, 5 and 6; Fickett and Davis, Detonation (1979), chapters 2 and 5.
 """
 
 import math

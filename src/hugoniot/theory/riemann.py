@@ -1,13 +1,20 @@
 r"""Exact Riemann problem of two arbitrary laws, with shocks, isentropic fans and vacuum.
 
-The pressure and velocity between the two waves are those at the intersection of the wave curves. On each side
-(direction d = -1 left, +1 right) the velocity behind a shock to the pressure p is $u + d\sqrt{(p - p_0)(v_0 - v_H(p))}$, behind a
-fan $u + d\int_{p_0}^{p} dp/(\rho c)$ on the isentrope. Both are computed by `theory.jump` and `theory.expansion`, without any approximate
-solver. The pressure is found by Newton's method inside a bracket, with slopes $d/(\rho c)$ on the fan and the differentiated jump
-conditions on the shock. A law with a memory (pores that stay crushed) is released on its elastic branch, with the compaction reached by the
-loading to the given state; the states behind keep that history.
+A wave runs into each side: a shock where the pressure $p$ between the waves exceeds the initial pressure $p_0$ of the side, otherwise a
+fan. The velocity behind it is
 
-Source: Starkenberg sec. 6 for the host method; Courant and Friedrichs, Supersonic Flow and Shock Waves.
+$$u = u_0 + d\,\sqrt{(p - p_0)(v_0 - v_H)} \;(\text{shock}), \qquad u = u_0 + d\int_{p_0}^{p} \frac{dp'}{\rho c} \;(\text{fan})$$
+
+* index 0: the initial state of the side; $v = 1/\rho$; $v_H(p)$: specific volume on the Hugoniot of the side
+* $d$: $-1$ on the left side, $+1$ on the right; the integral is along the isentrope
+
+The pressure is the one at which both sides have the same velocity. If there is none, a vacuum or a gap opens. A porous material is released
+elastically, with the compaction that its loading has produced.
+
+Implementation: `theory.jump` and `theory.expansion` compute both curves without an approximate solver; the pressure is found by Newton's
+method inside a bracket, with slopes d/(rho c) on the fan and the differentiated jump conditions on the shock.
+
+Source: Starkenberg, ARL-TR-2161, section 6; Courant and Friedrichs, Supersonic Flow and Shock Waves.
 """
 
 import math
@@ -27,11 +34,11 @@ FEEBLE = 1e-6     # strain up to which a shock is found as an isentrope
 
 @dataclass(frozen=True)
 class Wave:
-    """One side of the solution.
+    """The wave on one side.
 
-    kind       "shock", "fan" or "none"
-    ahead, behind   the states on either side of the wave
-    head, tail      velocities of its edges in the laboratory, m/s (equal for a shock)
+    kind            shock, fan or none
+    ahead, behind   states on either side of the wave
+    head, tail      velocities of its edges in the laboratory frame, m/s (equal for a shock)
     """
 
     kind: str
@@ -44,10 +51,10 @@ class Wave:
 
 @dataclass(frozen=True)
 class Riemann:
-    """The solution: two waves and, between them, a contact at `velocity` and `pressure`, or a vacuum (then both are per side).
+    """The solution: two waves and, between them, a contact with a velocity (m/s) and a pressure (Pa), or a vacuum (both are then per side).
 
-    Call it with (x, t) or x/t to sample: returns a dict of arrays density, pressure, velocity, energy, sound_speed, and
-    `side` (-1, 0 vacuum, +1).
+    Call it with (x, t), m and s, or with x/t to sample it: it returns a dict of the arrays density, pressure, velocity, energy,
+    sound_speed and side (-1 left, 0 vacuum, +1 right).
     """
 
     left: Wave
@@ -91,13 +98,13 @@ class Riemann:
 
 
 def riemann(left, left_state: States, right, right_state: States, *, bonded: bool = False) -> Riemann:
-    """Solve the Riemann problem between two materials.
+    """Solve the Riemann problem of two materials.
 
-    left, right               materials or parameter tuples
-    left_state, right_state   single states (`theory.isentrope.state` makes one); velocities in m/s
-                              (states from an earlier result carry the history of crushed pores)
-    bonded                    True: the contact supports tension; False (default): bodies in tension separate
-    Raises `OutOfRange` where a state lies outside the range of a law, `NoSolution` if the curves do not meet.
+    left, right               materials, or parameters of equations of state
+    left_state, right_state   single states, made by `theory.isentrope.state` or taken from an earlier result
+    bonded                    True: the contact supports tension; False: bodies in tension separate
+
+    Raises OutOfRange where a state lies outside the range of an equation of state, NoSolution if the curves do not meet.
     """
     sides = (_Side(law_of(left), left_state, -1), _Side(law_of(right), right_state, 1))
     with np.errstate(all="ignore"):

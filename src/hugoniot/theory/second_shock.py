@@ -1,15 +1,24 @@
 r"""How much a second shock deviates from the principal Hugoniot: appendix A of Wilkins, equations A.1 to A.4.
 
-For $P = a\mu + b\mu^2 + c(1+\mu)E$ with E per original volume and $\mu = \rho/\rho_0 - 1$ these are the principal Hugoniot (A.1), its cubic
-series (A.2), the Hugoniot from a point $\mu_1$ on it (A.3) and its series (A.4). (A.4) as printed is damaged (W-E1: it has a
-fraction, and b + ac/2 inside the bracket, and is 17 to 21 % too high); the corrected form is
+The equation of state is, with constants $a$, $b$ (pressures) and $c$ (a number),
+
+$$P = a\mu + b\mu^2 + c(1+\mu)E, \qquad \mu = \rho/\rho_0 - 1$$
+
+where $E$ is the energy per volume at the reference density $\rho_0$. The principal Hugoniot (A.1) and its cubic series (A.2) are
+
+$$P = \frac{a\mu + b\mu^2}{1 - \tfrac c2\mu} = a\mu + (b + \tfrac{ac}2)\mu^2 + \tfrac c2(b + \tfrac{ac}2)\mu^3 + \dots$$
+
+A second shock starts from the point $\mu_1$ of it, with the pressure $P_1$ and the relative volume $V_1 = 1/(1 + \mu_1)$. (A.3) is its
+exact Hugoniot, and (A.4) the series
 
 $$P = \Big[a\mu + (b + \tfrac{ac}2)\mu^2 + \tfrac c2(b + \tfrac{ac}2)\mu^3\Big]
   - \frac c2\mu\Big[a\frac\delta V + (b + ac)\mu\frac\delta V - \frac c2 a\frac{\delta^2}{V^2}\Big]
-  + \frac c2\mu P_1\Big[1 + \frac c2\Big(\mu - \frac\delta V\Big)\Big], \qquad \delta = 1 - V_1 .$$
+  + \frac c2\mu P_1\Big[1 + \frac c2\Big(\mu - \frac\delta V\Big)\Big], \qquad \delta = 1 - V_1, \quad V = \frac1{1+\mu}$$
 
-The difference between the two Hugoniots is of third order, not of higher order as the source says: see `leading_difference`.
-Pressures and a, b are in any one unit of pressure; arrays or numbers.
+The printed form of (A.4) is damaged, and 17 to 21 % too high (W-E1). The difference between the two Hugoniots is of third order in the
+compression, not of higher order as the source says.
+
+Source: Wilkins, appendix A.
 """
 
 from typing import NamedTuple
@@ -23,7 +32,7 @@ from hugoniot.theory.states import law_of
 
 
 class Quadratic(NamedTuple):
-    """a, b (pressure) and c of Wilkins' equation of state of appendix A."""
+    """Constants of the equation of state: a and b (in one unit of pressure) and c."""
 
     a: float
     b: float
@@ -31,10 +40,10 @@ class Quadratic(NamedTuple):
 
 
 def of_material(material) -> tuple[Quadratic, float]:
-    """(a, b, c of the quadratic law that a material follows near rest, Pa; density at rest, kg/m3).
+    """The constants (Pa) that represent a material near its reference state, and its reference density, kg/m3.
 
-    a is rho c^2 and c Gamma at rest; b + ac/2 is half the curvature of the principal Hugoniot in mu, by extrapolation from three weak
-    shocks. For a linear Us-up law of slope s and constant Gamma this is b = a (2s - 1 - c/2).
+    a is the bulk modulus and c the Grüneisen parameter there; b follows from the curvature of the principal Hugoniot at weak shocks. For
+    a linear Us-up relation of slope s and constant Grüneisen parameter it is a (2s - 1 - c/2).
     """
     ahead = Initial.at_rest(material)
     par = law_of(material)
@@ -49,20 +58,20 @@ def of_material(material) -> tuple[Quadratic, float]:
 
 
 def principal(mu, law: Quadratic):
-    """(A.1): the principal Hugoniot, from E = P(1 - V)/2. Raises `OutOfRange` at or beyond mu = 2/c, where it is infinite."""
+    """(A.1): pressure on the principal Hugoniot at the compressions mu. Raises OutOfRange from mu = 2/c on, where it is infinite."""
     mu = _checked(mu, 2.0 / law.c, "principal Hugoniot")
     return (law.a * mu + law.b * mu**2) / (1.0 - 0.5 * law.c * mu)
 
 
 def principal_series(mu, law: Quadratic):
-    """(A.2): the cubic that Wilkins gives for mu < 0.25."""
+    """(A.2): its cubic series, which Wilkins gives for mu < 0.25."""
     mu = np.asarray(mu, float)
     k = law.b + 0.5 * law.a * law.c
     return (law.a * mu + k * mu**2 + 0.5 * law.c * k * mu**3)[()]
 
 
 def second(mu, mu1: float, law: Quadratic):
-    """(A.3): the Hugoniot from the state mu1 of the principal one, for mu >= mu1."""
+    """(A.3): pressure on the Hugoniot from the state mu1 of the principal one, for mu >= mu1."""
     mu = np.asarray(mu, float)
     if (mu < mu1).any():
         raise OutOfRange(f"a second shock from mu1 = {mu1} compresses further: give mu >= {mu1}")
@@ -74,7 +83,7 @@ def second(mu, mu1: float, law: Quadratic):
 
 
 def second_series(mu, mu1: float, law: Quadratic):
-    """(A.4) corrected (W-E1), with P1 from (A.2) as Wilkins takes it."""
+    """(A.4) corrected (W-E1): its series, with P1 from (A.2) as in Wilkins."""
     mu = np.asarray(mu, float)
     a, b, c = law
     shift, p1 = _shift(mu, mu1), principal_series(mu1, law)
@@ -83,7 +92,7 @@ def second_series(mu, mu1: float, law: Quadratic):
 
 
 def second_series_as_printed(mu, mu1: float, law: Quadratic):
-    """(A.4) with b + ac/2 in the bracket, the fraction read as a difference and P1 unshifted: kept to show that this form is wrong."""
+    """(A.4) as printed, to show that this form is wrong."""
     mu = np.asarray(mu, float)
     a, b, c = law
     shift = _shift(mu, mu1)
@@ -92,14 +101,14 @@ def second_series_as_printed(mu, mu1: float, law: Quadratic):
 
 
 def leading_difference(mu, mu1: float, law: Quadratic):
-    """-(c/2)(a + b + ac/2) mu mu1 (mu - mu1): the leading, third-order term of second minus principal Hugoniot."""
+    """Leading, third-order term of the second minus the principal Hugoniot: -(c/2)(a + b + ac/2) mu mu1 (mu - mu1)."""
     mu = np.asarray(mu, float)
     a, b, c = law
     return (-0.5 * c * (a + b + 0.5 * a * c) * mu * mu1 * (mu - mu1))[()]
 
 
 def comparison(mu, mu1: float, law: Quadratic) -> dict:
-    """Pressures (Pa) of a second shock from mu1 beside the principal Hugoniot at compressions `mu`, both exact and as series."""
+    """Pressures (Pa) of a second shock from mu1 and of the principal Hugoniot at the compressions mu, both exact and as series."""
     first, again = principal(mu, law), second(mu, mu1, law)
     return {"principal_pressure": first, "principal_series": principal_series(mu, law), "second_pressure": again,
             "second_series": second_series(mu, mu1, law), "difference": again - first,

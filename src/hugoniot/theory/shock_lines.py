@@ -1,13 +1,13 @@
 r"""Rayleigh and Fanno lines of a shock, for any law: the states that satisfy two of the three conservation laws.
 
-In the frame of the shock, mass flux $m = \rho_0U_s$,
+In the frame of the shock, with the mass flux $m = \rho_0U_s$, the specific volume $v = 1/\rho$ and the index 0 for the state ahead,
 
 $$\text{Rayleigh (mass, momentum):}\quad p = p_0 + m^2(v_0 - v), \qquad
-  \text{Fanno (mass, energy):}\quad e + p(\rho, e)\,v + \tfrac12m^2v^2 = e_0 + p_0v_0 + \tfrac12m^2v_0^2 .$$
+  \text{Fanno (mass, energy):}\quad e + p(\rho, e)\,v + \tfrac12m^2v^2 = e_0 + p_0v_0 + \tfrac12m^2v_0^2$$
 
-They intersect where all three conservation laws hold: in the states ahead of and behind the shock, which are therefore also on the
-Hugoniot. Inside a shock with conduction but no viscosity the pressure lies on the Rayleigh line; with viscosity but no conduction, the
-total stress does. On neither line is the entropy highest at an end; along the Fanno line it is highest where the flow is sonic.
+They intersect in the states ahead of and behind the shock, where all three conservation laws hold. Inside a shock with heat conduction
+but no viscosity the pressure lies on the Rayleigh line; with viscosity but no conduction the total stress (pressure and viscous stress)
+does. Along the Fanno line the entropy has its maximum where the flow is sonic.
 
 Source: Jordan (2011), figures 7.1.1 and following.
 """
@@ -28,7 +28,7 @@ WIDEST = 1e12     # J/kg: how far the energy of a Fanno state is searched
 
 @dataclass(frozen=True)
 class ShockLines:
-    """Both lines over density, from the state ahead to a tenth of the compression beyond the shock; SI. `behind` is the shocked state."""
+    """Both lines over density, from the state ahead to a tenth of the compression beyond the shock, SI; `behind` is the shocked state."""
 
     initial: Initial
     behind: States
@@ -46,7 +46,14 @@ class ShockLines:
 
 
 def shock_lines(material, initial: Initial | None = None, points: int = 101, **strength) -> ShockLines:
-    """Lines of the shock with the given strength (as of `hugoniot.shock`). Raises NoSolution where a line has no state."""
+    """The lines of a shock.
+
+    initial    state ahead, an `Initial`; default: the reference state
+    points     number of points of each line
+    strength   one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3)
+
+    Raises NoSolution where a line has no state.
+    """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)
     behind = shock(par, ahead, **strength)

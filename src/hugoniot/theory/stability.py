@@ -1,18 +1,21 @@
 r"""Normal modes of a plane detonation: how fast a small disturbance of the ZND wave grows, and at what frequency.
 
-An ideal gas of constant gamma burns in one step, $r = k(1-\lambda)e^{-E\rho/p}$, and releases q per mass. Ahead of the wave
-$\rho = p = 1$; E and q are in units of the pressure over density ahead, lengths are half-reaction lengths (which fixes k). With the
-front displaced by $\psi = \epsilon e^{\alpha t}$ and $w = (\rho, u, p, \lambda)$ seen from it, the perturbation obeys
+**Ideal gas.** A gas of constant $\gamma$ burns in one step at the rate $r = k(1-\lambda)e^{-E\rho/p}$, with the burn fraction $\lambda$,
+and releases the heat $q$ per mass. Units: $\rho = p = 1$ ahead of the wave; the activation energy $E$ and $q$ are in units of the
+pressure over the density ahead, lengths in half-reaction lengths, which fixes $k$. The front is displaced by $\psi = \epsilon e^{\alpha
+t}$ with a small $\epsilon$. The perturbation $w'$ of the state $w = (\rho, u, p, \lambda)$ in the frame of the front, per unit of the
+perturbation $\alpha\psi$ of the front's velocity, obeys
 
 $$A\,w'_x = w^*_x - \alpha w' - \left(\frac{\partial A}{\partial w}w'\right)w^*_x + \frac{\partial R}{\partial w}w'$$
 
-per unit of the perturbation $\alpha\psi$ of the front's velocity. Here $w^*$ is the steady wave, A the matrix of the Euler equations and R
-the reaction source. It is integrated from the perturbed shock, $w'(0) = dw_s/dD$, to the end of the zone. No acoustic wave may run from
-there towards the front: the part of $p' + \rho c u'$ that is not forced by the decaying $\lambda'$ must vanish. $\alpha$ is a mode if this
-residual is zero.
+where $w^*$ is the steady wave, $A$ the matrix of the Euler equations, $R$ the reaction source and the index $x$ a derivative. The
+equation is integrated from the perturbed shock to the end of the zone. No acoustic wave may run from there towards the front. $\alpha$ is
+a mode if this condition holds; its real part is the growth rate and its imaginary part the frequency.
+
+Implementation: at the end of the zone the part of p' + rho c u' that is not forced by the decaying lambda' must vanish.
 
 Source: J. J. Erpenbeck, Phys. Fluids 5 (1962) 604, and H. I. Lee and D. S. Stewart, J. Fluid Mech. 216 (1990) 103, for the problem; the
-equations above are the Euler equations linearised.
+equations are the Euler equations linearised.
 """
 
 import cmath
@@ -33,7 +36,12 @@ CLOSEST = 1.0005     # overdrive from which the tail is no longer sonic to the a
 
 @dataclass(frozen=True)
 class Mode:
-    """growth (Re alpha) and frequency (Im alpha), per half-reaction length over the unit velocity; residual of the far condition."""
+    """A mode.
+
+    growth      growth rate, real part of alpha: in units of the velocity sqrt(p/rho) ahead per half-reaction length
+    frequency   imaginary part of alpha, in the same unit
+    residual    what is left of the condition at the end of the zone
+    """
 
     growth: float
     frequency: float
@@ -42,7 +50,13 @@ class Mode:
 
 @dataclass(frozen=True)
 class Wave:
-    """A one-step detonation of an ideal gas: gamma, heat release q, activation energy E, overdrive f = (D/D_CJ)^2."""
+    """A one-step detonation of an ideal gas.
+
+    gamma        ratio of specific heats
+    heat         heat release q, in units of p/rho ahead
+    activation   activation energy E, in units of p/rho ahead
+    overdrive    (D/D_CJ)^2, above 1
+    """
 
     gamma: float
     heat: float
@@ -136,7 +150,10 @@ class Wave:
 
 
 def nearest(residual: Callable[[complex], complex], guess: complex) -> Mode:
-    """The zero nearest a guess, by the secant method; `NoSolution` where it wanders off."""
+    """The mode nearest to a guess of alpha, by the secant method; NoSolution where it diverges.
+
+    residual   function of alpha that vanishes for a mode
+    """
     a, b = guess, guess * (1.0 + 1e-3) + 1e-5
     fa, fb = residual(a), residual(b)
     most = ZERO * max(1.0, abs(fa))
@@ -155,7 +172,12 @@ def nearest(residual: Callable[[complex], complex], guess: complex) -> Mode:
 
 
 def growing(residual: Callable[[complex], complex], highest: float, spacing: float) -> list[Mode]:
-    """The growing modes with frequencies up to `highest`, fastest first; searched from guesses that far apart in frequency."""
+    """The growing modes, fastest first.
+
+    residual   function of alpha that vanishes for a mode
+    highest    highest frequency of the search
+    spacing    distance in frequency of the guesses
+    """
     found: list[Mode] = []
     for k in range(max(math.ceil(highest / spacing), 1)):
         try:
@@ -170,9 +192,13 @@ def growing(residual: Callable[[complex], complex], highest: float, spacing: flo
 
 def neutral_activation(gamma: float, heat: float, overdrive: float, low: float, high: float, guess: complex,
                        tolerance: float = 1e-4) -> Mode:
-    """The activation energy in [low, high] at which the mode that starts from `guess` neither grows nor decays.
+    """The activation energy between `low` and `high` at which a mode neither grows nor decays.
 
-    Gives a `Mode` whose growth is that activation energy (the growth itself being zero) and whose frequency is the neutral one.
+    gamma, heat, overdrive   as in `Wave`
+    guess                    alpha at which the search of the mode begins
+    tolerance                accuracy of the activation energy
+
+    Returns a `Mode` whose `growth` is this activation energy and whose `frequency` is that of the neutral mode.
     """
     def at(activation, start):
         return Wave(gamma, heat, activation, overdrive).mode(start)

@@ -1,12 +1,13 @@
 r"""States of a material, the input and output of the tools: arrays or single numbers under the names of the fields.
 
-For any law $p(\rho, e)$
+The sound speed $c$, the Grüneisen parameter $\Gamma$, the isentropic bulk modulus $K_S$ and the adiabatic exponent $\gamma$ follow from the
+equation of state $p(\rho, e)$ and its two derivatives, with the specific volume $v = 1/\rho$ and the entropy $s$:
 
 $$c^2 = \left.\frac{\partial p}{\partial\rho}\right|_e + \frac{p}{\rho^2}\left.\frac{\partial p}{\partial e}\right|_\rho, \qquad
   \Gamma = \frac1\rho\left.\frac{\partial p}{\partial e}\right|_\rho, \qquad K_S = \rho c^2, \qquad
-  \gamma = -\left.\frac{\partial\ln p}{\partial\ln v}\right|_s = \frac{\rho c^2}{p},$$
+  \gamma = -\left.\frac{\partial\ln p}{\partial\ln v}\right|_s = \frac{\rho c^2}{p}$$
 
-follow from its two slopes; temperature and entropy are those of the law.
+Temperature and entropy are available if the equation of state has them.
 """
 
 import math
@@ -35,7 +36,7 @@ UNITS = {"density": "kg/m^3", "pressure": "Pa", "specific_internal_energy": "J/k
 
 
 def law_of(material) -> Any:
-    """The parameter tuple of a material's equation of state; a parameter tuple passes through. TypeError for anything else."""
+    """The parameters of a material's equation of state, as a tuple; such a tuple is returned unchanged. TypeError for anything else."""
     par = getattr(material, "eos", material)
     if not isinstance(par, tuple):
         raise TypeError(f"{par!r} is neither a material nor the parameters of a law; hugoniot.materials.library.find(name) finds materials")
@@ -43,12 +44,12 @@ def law_of(material) -> Any:
 
 
 def has(par, function: str) -> bool:
-    """Whether the law, and every law inside it, gives an optional function ("temperature", "entropy", "energy", "specific_heat")."""
+    """Whether an equation of state, and every one inside it, has an optional function: temperature, entropy, energy or specific_heat."""
     return contract.gives(par, function)
 
 
 def evaluate(function, rho, e, par):
-    """A scalar function (rho, e, par) of the contract evaluated for numbers or arrays; numbers in, number out."""
+    """A scalar function (rho, e, par) of an equation of state, evaluated for numbers or arrays."""
     if np.ndim(rho) == 0 and np.ndim(e) == 0:
         return float(function(float(rho), float(e), par))
     rho, e = np.broadcast_arrays(np.asarray(rho, float), np.asarray(e, float))
@@ -58,10 +59,21 @@ def evaluate(function, rho, e, par):
 
 @dataclass(frozen=True)
 class States:
-    """Points of one material along a curve: density kg/m3, pressure Pa, specific internal energy J/kg, particle velocity m/s.
+    """States of one material, single or along a curve: every field is a number, or an array of one shape.
 
-    Every field is a number, or an array of one shape. `shock_velocity` (m/s) is None where no shock made the state.
-    What follows from the law (temperature, sound speed, ...) is computed on request; None where the law does not have it.
+    density                    kg/m3
+    pressure                   Pa
+    specific_internal_energy   J/kg
+    particle_velocity          m/s
+    shock_velocity             m/s; None where no shock produced the state
+    temperature                K; None if the equation of state has no temperature
+    entropy                    J/(kg K), up to a constant; None if the equation of state has no entropy in closed form
+    sound_speed                bulk sound speed, m/s; not a number (NaN) where the state is unstable
+    gruneisen                  Grüneisen parameter
+    adiabatic_exponent         rho c^2/p
+    par                        parameters of the equation of state
+
+    The properties from temperature to adiabatic_exponent are computed when they are used.
     """
 
     par: Any
@@ -125,13 +137,16 @@ class States:
 
 
 def density_range(par) -> tuple[float, float]:
-    """(lowest, highest) density at which the law is defined, kg/m3; zero is replaced by the smallest normal number."""
+    """Lowest and highest density for which an equation of state is defined, kg/m3; zero is replaced by the smallest positive number."""
     low, high = contract.density_limits(par)
     return max(float(low), 1e-300), float(high)
 
 
 def density_at(par, pressure: float, energy: float, near: float | None = None) -> float:
-    """Density, kg/m3, at a pressure and an energy: Newton from `near` (default: the reference density), kept in the law's range."""
+    """Density, kg/m3, at a pressure (Pa) and a specific internal energy (J/kg).
+
+    near   density at which the search begins, kg/m3; default: the reference density
+    """
     low, high = density_range(par)
     rho = float(contract.reference_state(par)[0]) if near is None else near
     for _ in range(200):

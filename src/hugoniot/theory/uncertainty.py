@@ -1,8 +1,10 @@
 r"""Error bars of any result from the errors of its inputs.
 
-Linear propagation: $\sigma_y^2 = J C J^T$ with the covariance C of the inputs and the Jacobian J by central differences over half a
-standard deviation, which gives the mean slope over the expected range of the parameter. Monte Carlo: normal samples of the same covariance,
-with the 16th, 50th and 84th percentiles, for results that are not nearly linear.
+**Linear propagation**: the variance of a result $y$ is $\sigma_y^2 = J C J^T$ with the covariance matrix $C$ of the inputs and the row
+$J$ of derivatives of $y$ with respect to them. They are central differences over half a standard deviation on either side.
+
+**Monte Carlo**: the inputs are normal samples with the same covariance, and the 16th, 50th and 84th percentiles of the result are given.
+Use it for results that are far from linear in the inputs.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -17,9 +19,12 @@ from hugoniot.theory.states import law_of
 
 @dataclass(frozen=True)
 class Spread:
-    """value: the result at the nominal parameters; sigma: one standard deviation; low, high: 16th and 84th percentiles.
+    """A result with its error bar.
 
-    `shares` (linear only) is the fraction of the variance due to each parameter alone.
+    value       result at the nominal parameters
+    sigma       standard deviation
+    low, high   16th and 84th percentiles
+    shares      fraction of the variance due to each parameter alone (linear propagation only)
     """
 
     value: float
@@ -30,9 +35,9 @@ class Spread:
 
 
 def vary(material, **values: float):
-    """The parameter tuple of a material's law with some named parameters replaced.
+    """The parameters of a material's equation of state with some of them replaced, by name (SI).
 
-    Raises `OutOfRange` for a parameter the law does not have, naming those it has.
+    Raises OutOfRange for a parameter that the equation of state does not have, with the names of those that it has.
     """
     par = law_of(material)
     if stray := set(values) - set(par._fields):
@@ -43,8 +48,11 @@ def vary(material, **values: float):
 def matched(layers: Sequence, answers: Sequence[str]) -> Callable[..., dict[str, float]]:
     """An impedance match as a function for `propagate`.
 
-    It takes `velocity` (m/s) of the flyer and parameters named MATERIAL.parameter, of all layers of that name, and returns the named
-    fields of the state on the right of each interface, "0.pressure" and so on.
+    layers    flyer first, then the targets, as in `match`
+    answers   names of fields of `States` that are returned, such as pressure
+
+    The function takes the velocity of the flyer (m/s) and parameters named MATERIAL.parameter, which apply to all layers of that
+    material. It returns the fields on the right of each interface under names such as "0.pressure".
     """
     def answer(**given: float) -> dict[str, float]:
         own = [{k.rpartition(".")[2]: v for k, v in given.items() if k.rpartition(".")[0] == m.name} for m in layers]
@@ -56,13 +64,16 @@ def matched(layers: Sequence, answers: Sequence[str]) -> Callable[..., dict[str,
 
 def propagate(function: Callable[..., Mapping[str, float]], values: Mapping[str, float], sigmas: Mapping[str, float], *,
               correlation: Mapping[tuple[str, str], float] | None = None, samples: int = 0, seed: int = 0) -> dict[str, Spread]:
-    """Error bars of every number that `function(**values)` returns.
+    """Error bars of every number that function(**values) returns.
 
-    values        nominal parameters, name -> SI value
-    sigmas        standard deviations of those that are uncertain
-    correlation   (name, name) -> coefficient, -1 to 1; others are independent
-    samples       0: linear propagation; above: Monte Carlo with so many samples from the given seed
-    Raises `OutOfRange` for unknown names, a negative sigma or an impossible set of correlations.
+    function      function of named numbers that returns a dict of numbers
+    values        nominal parameters: name -> value, SI
+    sigmas        standard deviations of the uncertain ones: name -> value, SI
+    correlation   (name, name) -> coefficient, -1 to 1; pairs not given are independent
+    samples       0: linear propagation; otherwise the number of Monte Carlo samples
+    seed          seed of the samples
+
+    Returns name -> `Spread`. Raises OutOfRange for unknown names, a negative sigma or an impossible set of correlations.
     """
     names = [n for n, s in sigmas.items() if s != 0.0]
     if stray := set(sigmas) - set(values):

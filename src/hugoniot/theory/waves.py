@@ -1,15 +1,15 @@
 r"""Waves in time and space after an impact, without a mesh: every front is tracked and every interaction is a Riemann problem.
 
-Between fronts the states are constant. A shock moves at its exact velocity. A fan is cut into equal
-pressure steps, each a jump between two states a, b of one isentrope that moves so as to conserve mass,
+Between fronts the states are constant. A shock moves at its exact velocity, an interface or a free surface with the material. A fan is
+divided into steps of equal pressure. Each is a jump between two states a and b of one isentrope, which moves at the velocity $W$ that
+conserves mass:
 
-$$W = \frac{\rho_bu_b - \rho_au_a}{\rho_b - \rho_a};$$
+$$W = \frac{\rho_bu_b - \rho_au_a}{\rho_b - \rho_a}$$
 
-Interfaces and free surfaces move with the material. When two fronts meet, the Riemann problem of the outer states (`theory.riemann`)
-gives the outgoing waves. Shocks and their interactions are thus exact; fans converge with the number of steps (errors of second order in
-the step). Bodies separate rather than support tension, and may meet again.
+When two fronts meet, the Riemann problem of the outer states gives the outgoing waves. Shocks and their interactions are thus exact; the
+error of fans is of second order in the step. Bodies separate rather than support tension, and may meet again.
 
-Source: Wave-front tracking after Dafermos, J. Math. Anal. Appl. 38 (1972) 33; Starkenberg section 6 for the local solutions.
+Source: Wave-front tracking after Dafermos, J. Math. Anal. Appl. 38 (1972) 33; Starkenberg, ARL-TR-2161, section 6, for the local solutions.
 """
 
 import math
@@ -27,7 +27,7 @@ from hugoniot.theory.states import States, law_of
 
 @dataclass
 class Cell:
-    """A stretch of one layer in one state; `layer` is -1 in a gap or outside."""
+    """A part of one layer in one state; `layer` is -1 in a gap or outside."""
 
     layer: int
     state: States | None = None
@@ -35,7 +35,7 @@ class Cell:
 
 @dataclass
 class Front:
-    """kind: "shock", "fan", "contact" (within a layer), "interface" or "surface"; x in m at the current time, velocity in m/s."""
+    """A front: kind (shock, fan, contact within a layer, interface or surface), position x (m) at the current time, velocity (m/s)."""
 
     kind: str
     x: float
@@ -45,7 +45,7 @@ class Front:
 
 @dataclass(frozen=True)
 class Event:
-    """An interaction of fronts: time (s), position (m), what met, and the states on both sides afterwards (None: empty)."""
+    """An interaction of fronts: time (s), position (m), the kinds that met, and the states on both sides afterwards (None: empty)."""
 
     time: float
     position: float
@@ -57,7 +57,8 @@ class Event:
 
 @dataclass
 class Diagram:
-    """events in chronological order; paths (kind, t1, x1, t2, x2) of all fronts; `profile` gives the state at the last time."""
+    """The result: `events` in chronological order, `paths` (kind, t1, x1, t2, x2) of all fronts, and `profile`, the state at the last
+    time."""
 
     time: float = 0.0
     events: list[Event] = field(default_factory=list)
@@ -73,15 +74,17 @@ class Diagram:
 
 def wave_diagram(layers: Sequence, thicknesses: Sequence[float], velocity: float, until: float, *, fan: int = 8,
                  smallest: float = 1e-3, most_events: int = 20000) -> Diagram:
-    """Follow the waves of an impact.
+    """Follow the waves of an impact at x = 0 and time 0.
 
-    layers        flyer first, then the targets: materials or parameter tuples
-    thicknesses   m; the flyer's rear and the last target's rear are free surfaces; the impact is at x = 0, t = 0
-    velocity      of the flyer towards +x, m/s
-    until         s
-    fan           steps into which a fan as strong as the first shock is cut
+    layers        flyer first, then the targets: materials or parameters of equations of state
+    thicknesses   thickness of each layer, m; the rear of the flyer and of the last target are free surfaces
+    velocity      velocity of the flyer towards +x, m/s
+    until         end of the calculation, s
+    fan           number of steps into which a fan as strong as the first shock is divided
     smallest      waves weaker than this fraction of the impact pressure are ignored
-    Raises `OutOfRange` for impossible input or when there are more than `most_events` interactions.
+    most_events   largest number of interactions
+
+    Raises OutOfRange for impossible input or when there are more interactions than `most_events`.
     """
     if len(layers) < 2 or len(layers) != len(thicknesses) or not all(t > 0.0 for t in thicknesses) or not velocity > 0.0:
         raise OutOfRange("an impact needs a flyer and a target, a positive thickness of each and a positive velocity")

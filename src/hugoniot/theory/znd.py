@@ -1,12 +1,13 @@
 r"""Structure of a steady detonation (Zeldovich, von Neumann, Doering) for any law, any mixture and any rate.
 
-The states along the zone as functions of the reacted fraction follow from the Rayleigh line (`theory.reaction_zone`); their positions
-remain to be found. In the frame of the front $dX/d\lambda = w/r$, $w = m v$, for a rate $r = d\lambda/dt$. Distances follow by
-Gauss-Legendre quadrature between the states; no differential equation is integrated in steps, so stiff rates take no longer. The variable
-of integration is $s = -\ln(1-\lambda)$, and near $\lambda = 0$ it is $\lambda^{1/9}$. Integrands of rates that begin as a power of
-$\lambda$ below 1, or end as a power of $1-\lambda$, are then smooth.
+The positions follow from the rate $r = d\lambda/dt$. In the frame of the front the material moves at the speed $w = m v$, so the distance
+$X$ behind the front and the time since the shock are integrals over the reacted fraction,
 
-Source: Starkenberg ARL-TR-2161 section 6; Fickett and Davis, Detonation.
+$$\frac{dX}{d\lambda} = \frac wr, \qquad \frac{dt}{d\lambda} = \frac1r$$
+
+Implementation: Gauss-Legendre quadrature between the states; no differential equation is integrated in steps, so stiff rates take no
+longer. The variable of integration is s = -ln(1 - lambda), and near lambda = 0 it is lambda^(1/9), so that integrands of rates that begin
+as a power of lambda below 1, or end as a power of 1 - lambda, are smooth.
 """
 
 import math
@@ -34,10 +35,20 @@ PANEL = 0.35
 
 @dataclass(frozen=True)
 class Structure:
-    """`states` along the zone (`States` of one law, `MixtureState` of a mixture), velocities in m/s.
+    """A steady reaction zone.
 
-    reaction, position, time   fraction reacted, distance behind the front (m), time since the shock (s)
-    rates, temperature         d(fraction)/dt in 1/s; K or None
+    states                     states along the zone (`States` of one equation of state, `MixtureState` of a mixture)
+    velocity                   velocity D of the front, m/s
+    chapman_jouguet_velocity   CJ velocity, m/s
+    von_neumann                state just behind the shock
+    half_reaction_length       distance from the shock to the reacted fraction 1/2, m
+    half_reaction_time         time from the shock to the reacted fraction 1/2, s
+    reaction                   reacted fraction
+    position                   distance behind the front, m
+    time                       time since the shock, s
+    particle_velocity          m/s
+    rates                      rate of the reacted fraction, 1/s
+    temperature                K; None if it is not known
     """
 
     states: Any
@@ -76,13 +87,16 @@ def znd(material, initial: Initial, rate: Rate | Any, *, overdrive: float = 1.0,
     """The steady reaction zone behind a front.
 
     material    an equation of state that releases `initial.heat`, or the parameters of a mixture (`theory.mixture.mixture`)
-    initial     the state ahead; of a mixture that of its reactants, with their thermal energy and no heat
-    rate        parameters of a burn law, or a function (density, energy, pressure, fraction) -> d(fraction)/dt, 1/s, positive
-                below fraction 1
-    overdrive   f = (D/D_CJ)^2 >= 1, unless `velocity` (m/s) is given
-    complete    fraction at which the profile ends (a first-order rate never reaches 1)
-    Raises `OutOfRange` for a velocity below the CJ one, a zone that chokes, or a rate that never begins; `NoSolution` for one that
-    stops inside the zone.
+    initial     state ahead, an `Initial`; for a mixture that of its reactants, with their thermal energy and no heat
+    rate        parameters of a burn law, or a function (density, energy, pressure, fraction) that returns the rate in 1/s, positive below
+                fraction 1
+    overdrive   (D/D_CJ)^2, at least 1, unless `velocity` is given
+    velocity    velocity D of the front, m/s
+    points      number of states
+    complete    fraction at which the profile ends, because a first-order rate never reaches 1
+
+    Raises OutOfRange for a velocity below the CJ velocity, a zone that chokes or a rate that never begins, NoSolution for a rate that stops
+    inside the zone.
     """
     if not (points >= 3 and 0.0 < complete < 1.0):
         raise OutOfRange("a reaction zone needs at least 3 points and 0 < complete < 1")

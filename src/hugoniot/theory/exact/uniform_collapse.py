@@ -33,7 +33,7 @@ def uniform_collapse(geometry: str = "spherical", gamma: float = 5.0 / 3.0, dens
     energy_per_mass   specific internal energy at time 0
     collapse_time     time at which every radius would reach 0
     material          name of a library material, which starts from its reference state; gamma, density and energy_per_mass are then not
-    used
+                      used
 
     Fields: density, velocity, pressure, energy. Numbers: first_density and first_pressure (at time 0), compression_at_half_time.
     Valid for times below collapse_time, and for a material as far as its equation of state reaches.
