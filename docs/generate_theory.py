@@ -60,19 +60,24 @@ PURPOSES = {
                        "available from Python only.",
     "second_shock": "How much the Hugoniot of a second shock deviates from the principal Hugoniot, for materials that follow Wilkins' "
                     "quadratic equation of state at moderate compression.",
-    "shock_lines": "The Rayleigh and Fanno lines of a shock: the states that satisfy two of its three conservation laws. They bound the "
-                   "path inside a viscous or conducting shock.",
+    "shock_lines": "The Rayleigh and Fanno lines of a shock: the states that satisfy two of its three conservation laws. They help "
+                   "to interpret the states inside a viscous or conducting shock.",
     "gurney": "The velocity of a metal plate, cylinder or sphere driven by an explosive, from Gurney's formulas, and the exact motion of "
               "a plate at the end of a slab of explosive.",
     "fits": "Fits to data: a Us-up relation to shock velocities, a JWL equation of state to a CJ state and an expansion curve, and a "
             "Grüneisen parameter to a shock state.",
-    "stability": "Whether a plane detonation is stable against small disturbances along its direction: the growth rates and frequencies "
-                 "of its modes.",
+    "stability": "Whether a plane detonation is stable against small disturbances that vary in its direction of travel only: the "
+                 "growth rates and frequencies of its modes.",
     "sesame": "Reading of SESAME files, with a check of the sums of partial tables and a repair of tables from which no temperature can "
               "be computed.",
     "converters": "Conversion of Hugoniot fits and elastic constants to the coefficients of Herrmann's series, the law `herrmann_series`, "
                   "and of a linear Us-up relation to the law `wilkins_cubic`.",
 }
+# public functions of the tools that serve other modules only
+FOR_DEVELOPERS = {"states.has", "states.evaluate", "isentrope.expansion_to", "isentrope.grid", "isentrope.elastic", "fits.read_columns",
+                  "znd.zone_of", "sesame.looks_like"}
+MATERIALS = ' A material is one from the library, `hugoniot.materials.library.find("copper")`, or the parameters of an equation of state.'
+INITIAL = " `Initial`, the state ahead of a shock, is in `hugoniot.theory.upstream`."
 # module of exact solutions: title of its page
 TITLES = {
     "blake": "Blake's cavity", "coggeshall": "Coggeshall's compression in two dimensions",
@@ -167,7 +172,9 @@ def equations(names) -> tuple[list[str], list[str]]:
 
 
 def cited(sources: list[str]) -> list[str]:
-    return ["## Source", "", *(f"{'* ' if len(sources) > 1 else ''}{' '.join(s.split())}" for s in sources), ""] if sources else []
+    lines = [" ".join(source.split()) for source in sources]
+    lines = [f"{'* ' if len(lines) > 1 else ''}{line[:1].upper()}{line[1:]}" for line in lines]
+    return ["## Source", "", *lines, ""] if lines else []
 
 
 def call(key: str, function) -> str:
@@ -178,11 +185,15 @@ def call(key: str, function) -> str:
 
 def functions(name: str) -> list[str]:
     """Every public function and class of a module with its signature and docstring."""
-    lines = ["## Functions", "", f"From `hugoniot.{name}`; `material` may be a material, the parameters of an equation of state or an "
-             "entry of the library." if name.startswith("theory.") and "exact" not in name else f"From `hugoniot.{name}`.", ""]
-    home = module(name)
+    home, short = module(name), name.rpartition(".")[2]
+    mine = [value for value in vars(home).values() if inspect.isfunction(value) and value.__module__ == home.__name__]
+    taken = {word for value in mine for word in inspect.signature(value).parameters}
+    material = MATERIALS if name.startswith("theory.") and taken & {"material", "layers"} else ""
+    initial = INITIAL if "initial" in taken and "layers" not in taken else ""
+    lines = ["## Functions", "", f"From `hugoniot.{name}`.{material}{initial}", ""]
     for key, value in vars(home).items():
-        if key.startswith("_") or getattr(value, "__module__", "") != home.__name__ or not callable(value):
+        own = callable(value) and getattr(value, "__module__", "") == home.__name__
+        if not own or key.startswith("_") or f"{short}.{key}" in FOR_DEVELOPERS:
             continue
         kept = words(value.__doc__)
         if inspect.isclass(value):
@@ -200,7 +211,8 @@ def tool(key: str) -> str:
                   "under [tools without a mesh](../../theory/eos_tools.md).", ""]
     found, sources = equations(shown)
     lines += ["## Equations", "", *([EQUATIONS_ELSEWHERE[key], ""] if key in EQUATIONS_ELSEWHERE else []), *found]
-    return "\n".join(explained([*lines, *functions(home), *cited(sources)], "../../theory/source_errors.md"))
+    page = "\n".join(explained([*lines, *functions(home), *cited(sources)], "../../theory/source_errors.md"))
+    return re.sub(r"\n{3,}", "\n\n", page)
 
 
 def parameters(function, skip: tuple[str, ...] = ()) -> list[str]:
@@ -216,7 +228,7 @@ def parameters(function, skip: tuple[str, ...] = ()) -> list[str]:
             usual = parameter.annotation._field_defaults
             given = {f"{word}.{f}": usual.get(f, empty) if parameter.default is empty else getattr(parameter.default, f) for f in fields}
         for name, value in given.items():
-            default = "required" if value is empty else f"`{shown(value)}`".replace("|", "\\|")
+            default = "required" if value is empty else f"`{shown(value)}`" if value != "" else "none"
             unit = "degree" if name.endswith("_degrees") else parameter_unit(name.rpartition(".")[2])
             unit = "" if isinstance(value, str | bool) else unit
             rows.append(f"| `{name}` | {unit} | {default} | {meaning.get(name, '')} |")

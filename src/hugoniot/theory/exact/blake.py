@@ -41,7 +41,7 @@ def blake(pressure: float = 1e6, radius: float = 0.1, density: float = 3000.0, b
 
     Strains are small: positions are radii in the undeformed solid, from the cavity outwards.
 
-    Fields: displacement (m), velocity, pressure, density, and the compressive stresses stress (radial) and hoop_stress.
+    Fields: displacement (m), velocity, pressure, density, and stress (radial) and hoop_stress, both positive in compression.
     Numbers: sound_speed (longitudinal), shear_speed, decay_time (1/alpha), period (2 pi/omega), final_displacement and
     largest_displacement (both of the wall).
     """

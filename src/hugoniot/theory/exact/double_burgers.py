@@ -41,7 +41,7 @@ def double_burgers(density: float = 1.0, pressure: float = 1.0 / 3.0, amplitude:
     density      mean density
     pressure     pressure at the mean density
     amplitude    relative amplitude A of the density at time 0, between -1 and 1, not 0
-    length       distance of the walls
+    length       distance between the walls
     half_waves   number k of half waves between the walls
 
     Fields: density, velocity, pressure, energy, sound_speed. Numbers: breaking_time, mean_sound_speed (at the mean density).
