@@ -226,6 +226,7 @@ def parameters(function, skip: tuple[str, ...] = ()) -> list[str]:
         given = {word: parameter.default}
         if fields := getattr(parameter.annotation, "_fields", ()):
             usual = parameter.annotation._field_defaults
+            rows += [f"| `{word}` |  |  | {meaning[word]} |"] if word in meaning else []
             given = {f"{word}.{f}": usual.get(f, empty) if parameter.default is empty else getattr(parameter.default, f) for f in fields}
         for name, value in given.items():
             default = "required" if value is empty else f"`{shown(value)}`" if value != "" else "none"
