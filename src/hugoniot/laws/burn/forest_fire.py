@@ -1,4 +1,4 @@
-r"""Forest fire: burning at a rate that depends on the pressure, given by a polynomial or a table, with first-order depletion.
+r"""Burning at a rate that depends on the pressure, given by a polynomial (forest fire) or a table, with first-order depletion.
 
 $$\dot\lambda = (1-\lambda)\,\frac{1}{t_0}\exp\left(\sum_{i=0}^{14} a_i\,(p/p_0)^i\right) \;(\text{forest fire}), \qquad
 \dot\lambda = (1-\lambda)\,r(p) \;(\text{rate table})$$

@@ -6,7 +6,7 @@ $$\dot\lambda = G\,p^b\,(1-\lambda)$$
 * $p$: pressure of the mixture with the artificial viscosity added
 * $G$, $b$: `g`, `b`; a published $G$ in $\mathrm{\mu s^{-1}\,Mbar^{-b}}$ is multiplied by $10^{6-11b}$
 
-If the material names no mixture, the pressures of the phases are weighted by burn fraction (`weighted_pressures`), as in the source.
+If the material names no mixture, the pressures of the phases are weighted by burn fraction (`weighted_pressures`).
 """
 
 from typing import NamedTuple

@@ -2,7 +2,8 @@
 
 $$r = 0$$
 
-The failure ratio $r$, at 1 of which a material breaks, never rises. It is the law of a material without `[material.NAME.fracture]`.
+A material breaks when its failure ratio $r$ reaches 1; here it stays at zero. It is the law of a material without
+`[material.NAME.fracture]`.
 """
 
 from typing import NamedTuple
