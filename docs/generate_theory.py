@@ -237,8 +237,10 @@ def parameters(function, skip: tuple[str, ...] = ()) -> list[str]:
 
 
 def shown(value) -> str:
-    """A default without the digits of a fraction that has no end."""
-    return f"{value:.6g}" if isinstance(value, float) and len(repr(value)) > 12 else str(value)
+    """A default without the digits of a fraction that has no end, and with a power of ten for large numbers."""
+    if not isinstance(value, float) or (len(repr(value)) <= 12 and abs(value) < 1e5):
+        return str(value)
+    return re.sub(r"e([+-])0*", lambda m: "e" + m[1].strip("+"), f"{value:.6g}")
 
 
 def solution(name: str, alone: bool) -> list[str]:
