@@ -17,20 +17,20 @@ _FORMS = "write \"free\", \"fixed\", \"transmitting\", \"periodic\", {velocity =
 
 
 class PulseTable(Table):
-    """A named pulse."""
+    """A pulse of a given shape; the value is zero before its start."""
 
-    shape: str = Field(description="exponential | half_sine | square | ramp")
-    amplitude: Any = Field(description="peak value (exponential: value at its start; ramp: value it reaches and keeps)")
+    shape: str = Field(description="exponential, half_sine, square or ramp")
+    amplitude: Any = Field(description="largest value: of exponential the value at its start, of ramp the value that it reaches and keeps")
     duration: Annotated[float, Quantity("s", above=0.0)] = Field(
-        description="decay time of the exponential, length of half sine and square, rise time of the ramp")
-    start: Time = Field(0.0, description="zero before this time")
+        description="of exponential the time in which it falls to 1/e, of half_sine and square its length, of ramp its rise time")
+    start: Time = Field(0.0, description="time at which the pulse starts")
 
 
 class HistoryTable(Table):
-    """A table of values over time: linear between, held outside."""
+    """Values over time: linear between the times; constant before the first and after the last."""
 
-    times: list[Any] = Field(description="increasing times")
-    values: list[Any] = Field(description="one value per time")
+    times: list[Any] = Field(description="times, increasing")
+    values: list[Any] = Field(description="as many values as times")
 
 
 def pulse_schema() -> dict:

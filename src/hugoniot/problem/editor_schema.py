@@ -11,6 +11,11 @@ from hugoniot.materials import table_law
 from hugoniot.materials.tables import accepted, families
 from hugoniot.problem.solver_kinds import solver_module
 
+_FAMILIES = {"eos": "equation of state, [material.NAME.eos]; of an explosive, the equation of state of its detonation products",
+             "strength": "strength law, [material.NAME.strength]; \"none\": a fluid",
+             "fracture": "fracture law, [material.NAME.fracture]; \"none\": the material never breaks",
+             "burn": "burn law, [material.NAME.burn]; \"none\": the material does not burn"}
+
 
 def json_schema(kind: str = "lagrange1d") -> dict:
     """JSON Schema of a solver's deck, with the parameters of every registered law."""
@@ -19,22 +24,25 @@ def json_schema(kind: str = "lagrange1d") -> dict:
     schema["title"] = f"hugoniot deck ({kind})"
     definitions = schema.setdefault("$defs", {})
     material: dict[str, Any] = {"type": "object", "additionalProperties": False, "properties": {
-        "base": {"type": "string", "description": "a material of the library that these tables override"},
-        "sources": {"type": "array", "description": "where the numbers come from"},
-        "warnings": {"type": "array", "items": {"type": "string"}},
-        "valid_up_to": {"anyOf": [{"type": "number"}, {"type": "string"}], "unit": "m/s",
-                        "description": "highest particle velocity of the data behind the equation of state"},
-    }}
+        "base": {"type": "string", "description": "name of a material of the library, whose laws the other tables replace or change"}}}
     for family, registry in families().items():
         definitions[f"{family}_law"] = law_schema(registry)
-        material["properties"][family] = {"$ref": f"#/$defs/{family}_law"}
-    heat = {"anyOf": [{"type": "number"}, {"type": "string"}], "unit": "J/kg", "description": "chemical energy an explosive releases"}
+        material["properties"][family] = {"$ref": f"#/$defs/{family}_law", "description": _FAMILIES.get(family, f"{family} law")}
+    number = {"anyOf": [{"type": "number"}, {"type": "string"}]}
     material["properties"] |= {
-        "unreacted": {"$ref": "#/$defs/eos_law", "description": "an explosive before it burns; eos are its products"},
-        "mixture": {"enum": MIXTURE.names(), "description": "closure of the two phases while it burns"}, "detonation_energy": heat,
+        "unreacted": {"$ref": "#/$defs/eos_law", "description": "equation of state of an explosive before it burns"},
+        "mixture": {"enum": MIXTURE.names(), "description":
+                    "how unreacted explosive and products share a zone while it burns (default: chosen by the burn law)"},
+        "detonation_energy": number | {"unit": "J/kg", "description":
+                                       "chemical energy per mass that burning releases (default: from the two equations of state)"},
         "reference_state": {"enum": list(CHOICES), "default": CHOICES[0], "description":
-                            "of reactants in thermal isolation: whether their isentrope receives its share of all viscous heat (rolling) "
-                            "or stays fixed once a shock has passed (frozen)"}}
+                            "mixture thermal_isolation: whether the isentrope of the unreacted explosive receives its share of all viscous "
+                            "heat (rolling), or stays fixed once a shock has passed (frozen)"},
+        "valid_up_to": number | {"unit": "m/s", "description":
+                                 "highest particle velocity of the data behind the equation of state; shown by hugoniot check and "
+        "in reports"},
+        "sources": {"type": "array", "description": "where the numbers come from: texts, or tables with source and further keys"},
+        "warnings": {"type": "array", "items": {"type": "string"}, "description": "texts that a run with this material prints"}}
     definitions["viscosity_law"] = law_schema(VISCOSITY)
     definitions["material"] = material
     return _linked(schema)

@@ -39,50 +39,58 @@ SAME_SPEED = 0.01     # between a programmed front and the one its products driv
 
 
 class OptionsTable(Table):
-    """Options of this solver alone."""
+    """Further options of fronts. The mode decides which problems can be solved."""
 
     mode: Literal["algebraic", "cells"] = Field(
-        "algebraic", description="algebraic: constant states and centred fans, every interaction solved exactly (planar); "
-        "cells: a moving mesh between the fronts, second order")
+        "algebraic", description="algebraic: constant states and centred rarefaction fans, every interaction of waves solved exactly; "
+        "planar, without profiles, burning or pulses other than constant and square; cells: a moving mesh between the fronts, second "
+        "order, for curved geometry, profiles, pulses and burning too")
     fan_step: Annotated[float, Quantity("1", above=0.0, limit=1.0)] = Field(
-        0.1, description="velocity step / sound speed of the slices into which a fan is cut when another wave reaches it, or of "
-        "the cells that it starts with")
+        0.1, description="a rarefaction fan that another wave reaches is divided into slices (mode algebraic), and a fan starts with "
+        "cells (mode cells), each with a velocity step of this times the sound speed")
     weakest: Annotated[float, Quantity("1", least=0.0, limit=0.1)] | None = Field(
-        None, description="strength (change of stress / stiffness) below which a wave is not followed (default: 1e-6 algebraic, "
-        "0.01 cells; where the strongest wave at the start is weaker than that, but stronger than a tenth of it, the cells mode takes a "
-        "tenth of that wave's strength, unless a region has a profile)")
+        None, description="waves weaker than this are not followed; the strength of a wave is its change of stress divided by rho c^2. "
+        "Mode cells, without profiles, uses a tenth of the strongest initial wave if that wave is weaker than this but stronger than a "
+        "tenth of this (default: 1e-6; mode cells: 0.01)")
     burn_step: Annotated[float, Quantity("1", least=0.0, limit=1.0)] = Field(
-        0.15, description="cells: what a cell may change the burn fraction while sound crosses it, next to a tracked shock an eighth of "
-        "that; cells that burn faster are halved, up to five times, and joined again afterwards (0: never)")
-    most_fronts: int = Field(400, ge=10, le=100_000, description="with more fronts to follow, the algebraic mode stops with a message, "
-                             "and the cells mode leaves new waves to the cells, with a warning")
+        0.15, description="mode cells: largest change of the burn fraction in a cell while sound crosses it (an eighth of this next to "
+        "a tracked shock); cells that burn faster are halved, up to five times, and joined again afterwards; 0: cells are never halved")
+    most_fronts: int = Field(400, ge=10, le=100_000, description="largest number of fronts followed at a time; beyond it mode "
+        "algebraic stops with a message, and mode cells lets the cells carry new waves, with a warning")
 
 
 class SolverTable(Table):
-    """How it is solved."""
+    """Options of the solver."""
 
-    kind: Literal["fronts"] = Field(description="the solver")
+    kind: Literal["fronts"] = Field(description="name of the solver")
     courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(
-        None, description="Courant number of the cells (default: 0.5); the algebraic mode has no time step")
-    max_cycles: int | None = Field(None, ge=1, le=10**15, description="limit on interactions of fronts, or on steps (default: none)")
-    options: OptionsTable = Field(default_factory=OptionsTable, description="the solver's own options")  # type: ignore[arg-type]
+        None, description="mode cells only: Courant number of the time step (default: 0.5)")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="number of interactions (mode algebraic) or time steps (mode "
+        "cells) after which the run stops (default: no limit)")
+    options: OptionsTable = Field(default_factory=OptionsTable, description="further options, [solver.options]")  # type: ignore[arg-type]
 
 
 class Model(Table):
-    """A deck of the solver of tracked fronts."""
+    """The solver `fronts` follows shocks, fans and contacts in one dimension as sharp fronts, without artificial viscosity.
 
-    title: str = Field("", max_length=200, description="title of report and plots (default: the deck's file name)")
-    geometry: Literal["planar", "cylindrical", "spherical"] = Field("planar", description="symmetry (curved ones: mode \"cells\")")
+    Use it for reference solutions. Fracture laws are not supported, and `perfectly_plastic` is the only strength law. The zones of a region
+    say where fields are read; with mode cells they also set the fineness of the mesh.
+    """
+
+    title: str = Field("", max_length=200, description="title of the report and plots (default: the deck's file name)")
+    geometry: Literal["planar", "cylindrical", "spherical"] = Field("planar",
+        description="symmetry; cylindrical and spherical need mode cells")
     stop_time: Positive = Field(description="time at which the run ends, such as \"2.5 us\"")
-    region: list[RegionTable] = Field(min_length=1, max_length=1000, description="the bodies, [[region]]; zones are where fields are read")
+    region: list[RegionTable] = Field(min_length=1, max_length=1000, description="the layers of material, [[region]]")
     material: dict[str, Annotated[Any, WithJsonSchema({"x-definition": "material"})]] = Field(
-        default_factory=dict, description="materials of this deck, [material.NAME.eos] and so on")
-    boundary: BoundaryTables = Field(default_factory=lambda: BoundaryTables(), description="the two ends")
-    interface: list[InterfaceTable] = Field(default_factory=list, max_length=1000, description="how neighbours hold together")
-    lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="where programmed burns start (cells)")
-    gauge: list[GaugeTable] = Field(default_factory=list, max_length=10_000, description="Lagrangian gauges")
-    solver: SolverTable = Field(description="how it is solved")
-    output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
+        default_factory=dict, description="materials defined in this deck, [material.NAME]")
+    boundary: BoundaryTables = Field(default_factory=lambda: BoundaryTables(), description="the two ends, [boundary]")
+    interface: list[InterfaceTable] = Field(default_factory=list, max_length=1000,
+        description="interfaces that are not simply separable, [[interface]]")
+    lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="mode cells only: detonators, [[lighting]]")
+    gauge: list[GaugeTable] = Field(default_factory=list, max_length=10_000, description="Lagrangian gauges, [[gauge]]")
+    solver: SolverTable = Field(description="the solver and its options, [solver]")
+    output: OutputTable = Field(default_factory=OutputTable, description="what is stored, [output]")  # type: ignore[arg-type]
 
 
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem | None, list[str]]:

@@ -70,116 +70,144 @@ Snapshots = Annotated[Any, BeforeValidator(_times), WithJsonSchema(_one_or_more 
 
 
 class RegionTable(Table):
-    """A contiguous piece of one material at t = 0, divided into zones."""
+    """A layer of one material at t = 0, divided into zones. A state takes at most two of density, pressure, temperature and energy.
 
-    name: str = Field(min_length=1, max_length=60, description="name used in gauges, messages and plots")
-    material: str = Field(min_length=1, max_length=200, description="a table [material.NAME] of the deck, or a name of the library")
-    start: Length = Field(alias="from", description="position of the left end at t = 0")
-    end: Length = Field(alias="to", description="position of the right end at t = 0; a gap to the next one closes on impact")
-    zones: int | None = Field(None, ge=1, le=MOST_ZONES, description="number of zones (this or zone_size)")
-    zone_size: Annotated[float, Quantity("m", above=0.0)] | None = Field(None, description="width of the first zone (this or zones)")
-    ratio: Annotated[float, Quantity("1", above=0.0, limit=10.0)] = Field(1.0, description="width of each zone over that of the one before")
+    Without any of them the region starts in the reference state of its equation of state (reference density, zero pressure). One of
+    pressure, temperature and energy goes with the reference density; density alone goes with zero pressure.
+    """
+
+    name: str = Field(min_length=1, max_length=60, description="name of the region, used by gauges, interfaces, messages and plots")
+    material: str = Field(min_length=1, max_length=200, description="NAME of a table [material.NAME] of this deck, or else a material "
+        "of the library")
+    start: Length = Field(alias="from", description="position of the left end at t = 0 (in curved geometry, the inner radius)")
+    end: Length = Field(alias="to", description="position of the right end at t = 0; a gap before the next region closes on impact")
+    zones: int | None = Field(None, ge=1, le=MOST_ZONES, description="number of zones; give either this or zone_size")
+    zone_size: Annotated[float, Quantity("m", above=0.0)] | None = Field(
+        None, description="width of the first (leftmost) zone; give either this or zones")
+    ratio: Annotated[float, Quantity("1", above=0.0, limit=10.0)] = Field(
+        1.0, description="width of each zone divided by that of its left neighbour")
     velocity: Annotated[Any, BeforeValidator(_velocity), WithJsonSchema(_one_or_more | {"unit": "m/s"})] = Field(
-        0.0, description="initial velocity, or [at start, at end] for a linear profile")
+        0.0, description="initial velocity, positive to the right; an array of two gives the velocities at the left and right end, "
+        "linear in between")
     density: Annotated[float, Quantity("kg/m^3", above=0.0)] | None = Field(None, description="initial density")
     pressure: Pressure | None = Field(None, description="initial pressure")
-    temperature: Annotated[float, Quantity("K", above=0.0, limit=1e12)] | None = Field(None, description="initial temperature")
+    temperature: Annotated[float, Quantity("K", above=0.0, limit=1e12)] | None = Field(
+        None, description="initial temperature; the equation of state must give temperatures")
     energy: Annotated[float, Quantity("J/kg")] | None = Field(None, description="initial specific internal energy")
-    profile: ProfileTable | None = Field(None, description="[region.profile]: a state that varies along the region")
+    profile: ProfileTable | None = Field(None, description="initial state that varies along the region, [region.profile]")
 
 
 class InterfaceTable(Table):
-    """How two neighbouring regions hold together."""
+    """Whether two neighbouring regions can separate. Neighbours without an entry are separable."""
 
-    between: list[str] = Field(min_length=2, max_length=2, description="the names of the two regions")
+    between: list[str] = Field(min_length=2, max_length=2, description="names of the two regions")
     kind: Literal["bonded", "separable", "bond"] = Field(
-        "separable", description="bonded opens only by fracture of a material (over a gap: sticks on contact), "
-        "separable opens under any tension, "
-                                 "bond opens beyond its strength")
-    strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="tensile stress at which a bond breaks")
+        "separable", description="separable: opens under any tension; bonded: never opens by itself, only where a fracture law breaks "
+        "a material (regions with a gap between them bond when they meet); bond: opens when the tension exceeds strength")
+    strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(
+        None, description="tensile stress that breaks the interface; required for kind bond, not allowed otherwise")
 
 
 class GaugeTable(Table):
-    """A Lagrangian gauge: it moves with the material."""
+    """A Lagrangian gauge, which moves with the material.
 
-    name: str = Field(min_length=1, max_length=checks.LONGEST_NAME, description="column of gauges.csv and label of plots")
+    A free end without a gauge gets one automatically (in curved geometry, the outer end). A gauge at an interface adds two more,
+    NAME left and NAME right, in the zones on its two sides.
+    """
+
+    name: str = Field(min_length=1, max_length=checks.LONGEST_NAME, description="name of the gauge in gauges.csv and plots")
     at: Annotated[Any, BeforeValidator(_place), WithJsonSchema({"type": ["number", "string"], "unit": "m"})] = Field(
-        description="position at t = 0, or \"free surface left|right\", \"REGION/REGION\", \"REGION:left|right\"")
-    window: str | None = Field(None, min_length=1, max_length=60, description="region of the interface that an interferometer looks "
-                                                                              "through: records apparent_velocity")
+        description="position at t = 0, or one of these texts: \"free surface left\", \"free surface right\", \"LEFT/RIGHT\" (the "
+        "interface of two regions, left one first), \"REGION:left\", \"REGION:right\" (an end of a region)")
+    window: str | None = Field(
+        None, min_length=1, max_length=60, description="for a gauge at an interface in planar geometry: the first or last region, "
+        "through which an interferometer looks; the gauge then also records apparent_velocity")
     window_factor: Annotated[float, Quantity("1", least=1.0, limit=5.0)] | None = Field(
-        None, description="a of the window's refractive index a + b rho (default: the library's)")
+        None, description="constant a of the window's refractive index n = a + b rho; needs window, excludes wavelength (default: the "
+        "library's value)")
     wavelength: Annotated[float, Quantity("m", least=2e-7, limit=1e-5)] | None = Field(
-        None, description="of the light for which the library's index is used (default: 532 nm)")
+        None, description="wavelength of the light, for which a is taken from the library; needs window (default: 532 nm)")
 
 
 class LightingTable(Table):
-    """A detonator: where and when programmed burns start."""
+    """A detonator: where and when a programmed burn starts. Every body of explosive with a programmed burn law needs one."""
 
-    at: Length = Field(description="position at t = 0, inside the explosive or on its end (a radius in curved geometry)")
-    time: Time = Field(0.0, description="when it fires")
+    at: Length = Field(description="position at t = 0, inside the explosive or at its end (in curved geometry, a radius)")
+    time: Time = Field(0.0, description="time at which the detonator fires")
 
 
 class BoundaryTables(Table):
-    """What happens at the two ends."""
+    """What happens at the left and right end of the problem; see \"Boundaries and pulses\"."""
 
-    left: Annotated[Any, WithJsonSchema(boundary_schema())] = Field("free", description="condition at the left end")
+    left: Annotated[Any, WithJsonSchema(boundary_schema())] = Field(
+        "free", description="condition at the left end; omit it where the first region starts at the axis or centre of curved geometry")
     right: Annotated[Any, WithJsonSchema(boundary_schema())] = Field("free", description="condition at the right end")
 
 
 class OptionsTable(Table):
-    """Options of this solver alone."""
+    """Further options of lagrange1d."""
 
     heat_flux: Annotated[float, Quantity("1", least=0.0)] | None = Field(
-        None, description="coefficient of the artificial heat flux (default: the integrator's)")
+        None, description="coefficient of the artificial heat flux in shocks; 0 switches it off (default: 0.5; wilkins: 0)")
 
 
 class SolverTable(Table):
-    """How it is solved."""
+    """Options of the solver. The table is optional for lagrange1d."""
 
-    kind: Literal["lagrange1d"] = Field("lagrange1d", description="the solver")
+    kind: Literal["lagrange1d"] = Field("lagrange1d", description="name of the solver")
     integrator: Literal["compatible", "wilkins"] = Field(
-        "compatible", description="compatible conserves total energy to round-off; wilkins is the classical leapfrog")
+        "compatible", description="compatible: conserves total energy to round-off; wilkins: the classical leapfrog scheme of Wilkins")
     courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(
-        None, description="Courant number (default: 0.7 if all materials are condensed and inert and no viscosity "
-                          "is given, else 0.5; wilkins: 2/3)")
-    growth: Annotated[float, Quantity("1", least=1.0, limit=10.0)] = Field(1.1, description="largest growth of the time step per cycle")
+        None, description="Courant number of the time step (default: 0.5, or 0.7 where every material is a solid or liquid, none burns "
+        "and no viscosity is given; wilkins: 2/3)")
+    growth: Annotated[float, Quantity("1", least=1.0, limit=10.0)] = Field(
+        1.1, description="largest ratio of a time step to the one before")
     initial_step: Positive | None = Field(None, description="first time step (default: from the Courant condition)")
-    largest_step: Positive | None = Field(None, description="largest time step (default: none)")
-    threads: int = Field(1, ge=1, le=1024, description="number of threads; any number gives the same result, to the last bit")
-    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after this many cycles (default: no limit)")
-    viscosity: Any = Field(None, description="table [solver.viscosity] with law = ... and its parameters (default: the solver's)",
+    largest_step: Positive | None = Field(None, description="upper limit of the time step (default: none)")
+    threads: int = Field(1, ge=1, le=1024, description="number of threads; the result is the same, bit for bit, for any number")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="number of time steps after which the run stops (default: no limit)")
+    viscosity: Any = Field(None, description="artificial viscosity, [solver.viscosity], with law = \"...\" and its parameters "
+        "(default: law limited; wilkins: law wilkins)",
                            json_schema_extra={"x-definition": "viscosity_law"})
-    options: OptionsTable = Field(default_factory=lambda: OptionsTable(heat_flux=None), description="the solver's own options")
+    options: OptionsTable = Field(default_factory=lambda: OptionsTable(heat_flux=None), description="further options, [solver.options]")
 
 
 class OutputTable(Table):
-    """What is kept."""
+    """What a run stores, and how often."""
 
     snapshots: Snapshots = Field(
-        None, description="interval between snapshots, or their times (default: a hundredth of stop_time)")
-    fields: list[str] = Field(default_factory=list, max_length=50, description="fields of a snapshot (default: the solver's set)")
-    gauge_interval: Annotated[float, Quantity("s", least=0.0)] = Field(0.0, description="time between gauge samples; 0: every cycle")
-    checkpoint_seconds: Annotated[float, Quantity("s", above=0.0)] = Field(30.0, description="wall time between checkpoints")
-    checkpoint_cycles: int | None = Field(None, ge=1, le=10**15, description="cycles between checkpoints (default: by time only)")
-    report: bool = Field(True, description="write report.html at the end")
+        None, description="time between snapshots of all zones, or an array of their times (default: a hundredth of stop_time)")
+    fields: list[str] = Field(default_factory=list, max_length=50, description="names of the fields stored in each snapshot (hugoniot "
+        "list fields); positions and velocities are always stored (default: the usual fields of the solver)")
+    gauge_interval: Annotated[float, Quantity("s", least=0.0)] = Field(
+        0.0, description="time between samples of the gauges; 0: a sample at every time step")
+    checkpoint_seconds: Annotated[float, Quantity("s", above=0.0)] = Field(
+        30.0, description="wall-clock time between checkpoints, from which hugoniot resume continues")
+    checkpoint_cycles: int | None = Field(
+        None, ge=1, le=10**15, description="number of time steps between checkpoints (default: by wall-clock time only)")
+    report: bool = Field(True, description="whether report.html is written at the end")
 
 
 class Model(terms.TermTables):
-    """A deck of the one-dimensional Lagrangian hydrocode."""
+    """The solver `lagrange1d` is the one-dimensional Lagrangian hydrocode, whose mesh moves with the material.
 
-    title: str = Field("", max_length=200, description="title of report and plots (default: the deck's file name)")
-    geometry: Literal["planar", "cylindrical", "spherical"] = Field("planar", description="symmetry")
+    Use it for plates, cylinders and spheres with strength, fracture, porosity and burning.
+    """
+
+    title: str = Field("", max_length=200, description="title of the report and plots (default: the deck's file name)")
+    geometry: Literal["planar", "cylindrical", "spherical"] = Field(
+        "planar", description="symmetry; positions are radii in cylindrical and spherical geometry")
     stop_time: Positive = Field(description="time at which the run ends, such as \"2.5 us\"")
-    region: list[RegionTable] = Field(min_length=1, max_length=100_000, description="the bodies, [[region]]")
+    region: list[RegionTable] = Field(min_length=1, max_length=100_000, description="the layers of material, [[region]]")
     material: dict[str, Annotated[Any, WithJsonSchema({"x-definition": "material"})]] = Field(
-        default_factory=dict, description="materials of this deck, [material.NAME.eos] and so on")
-    boundary: BoundaryTables = Field(default_factory=lambda: BoundaryTables(), description="the two ends")
-    interface: list[InterfaceTable] = Field(default_factory=list, max_length=100_000, description="how neighbours hold together")
-    gauge: list[GaugeTable] = Field(default_factory=list, max_length=MOST_GAUGES, description="Lagrangian gauges")
-    lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="where programmed burns start")
-    solver: SolverTable = Field(default_factory=SolverTable, description="how the problem is solved")  # type: ignore[arg-type]
-    output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
+        default_factory=dict, description="materials defined in this deck, [material.NAME]")
+    boundary: BoundaryTables = Field(default_factory=lambda: BoundaryTables(), description="the two ends, [boundary]")
+    interface: list[InterfaceTable] = Field(
+        default_factory=list, max_length=100_000, description="interfaces that are not simply separable, [[interface]]")
+    gauge: list[GaugeTable] = Field(default_factory=list, max_length=MOST_GAUGES, description="Lagrangian gauges, [[gauge]]")
+    lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="detonators, [[lighting]]")
+    solver: SolverTable = Field(default_factory=SolverTable, description="the solver and its options, [solver]")  # type: ignore[arg-type]
+    output: OutputTable = Field(default_factory=OutputTable, description="what is stored, [output]")  # type: ignore[arg-type]
 
 
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem | None, list[str]]:

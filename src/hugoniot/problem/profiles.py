@@ -34,16 +34,23 @@ _ENTRY = WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}, {"typ
 
 
 class ProfileTable(Table):
-    """A state that varies along a region: expressions in x, or arrays over positions, or a file of columns."""
+    """An initial state that varies along a region, in one of three forms: expressions, arrays, or a file.
+
+    A quantity given here must not be given in the region too. A profile of anything but velocity is not possible in an explosive that
+    burns.
+    """
 
     file: str | None = Field(
-        None, max_length=1000, description="file beside the deck, up to 150 000 lines, columns such as position [mm], velocity [m/s]")
-    positions: list[Any] | None = Field(None, max_length=LONGEST, description="increasing positions of the arrays")
-    velocity: Annotated[Any, _ENTRY] = Field(None, description="expression in x, or an array over positions")
-    density: Annotated[Any, _ENTRY] = Field(None, description="the same for the density")
-    pressure: Annotated[Any, _ENTRY] = Field(None, description="the same for the pressure")
-    temperature: Annotated[Any, _ENTRY] = Field(None, description="the same for the temperature")
-    energy: Annotated[Any, _ENTRY] = Field(None, description="the same for the specific internal energy")
+        None, max_length=1000, description="CSV file in the deck's folder, up to 150 000 lines, with a first line such as \"position "
+        "[mm], velocity [m/s]\"; excludes all other keys")
+    positions: list[Any] | None = Field(None, max_length=LONGEST, description="positions of the values in the arrays, increasing; they "
+        "must cover the region")
+    velocity: Annotated[Any, _ENTRY] = Field(None, description="without positions an expression in the position x, such as \"10 m/s * "
+        "sin(2 * pi * x / 5 mm)\"; with positions an array, linear in between")
+    density: Annotated[Any, _ENTRY] = Field(None, description="density, in the same forms")
+    pressure: Annotated[Any, _ENTRY] = Field(None, description="pressure, in the same forms")
+    temperature: Annotated[Any, _ENTRY] = Field(None, description="temperature, in the same forms")
+    energy: Annotated[Any, _ENTRY] = Field(None, description="specific internal energy, in the same forms")
 
 
 def values_at(profile: Profile, field: str, places: np.ndarray) -> np.ndarray:

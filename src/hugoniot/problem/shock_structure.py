@@ -25,58 +25,72 @@ _LAW = {"type": "object", "required": ["law"]}
 
 
 class TransportTable(Table):
-    """Viscosity and heat conduction of the material."""
+    """Physical viscosity and heat conduction of the material."""
 
-    viscosity: Annotated[Any, WithJsonSchema(_LAW)] = Field(description="table {law = ...} of shear viscosity (hugoniot list transport)")
-    conduction: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="table {law = ...} of heat conduction, or none (default)")
-    bulk_ratio: Annotated[float, Quantity("1", least=0.0)] = Field(0.0, description="bulk over shear viscosity")
-    bulk_viscosity: Annotated[float, Quantity("Pa s", least=0.0)] = Field(0.0, description="constant bulk viscosity added to it")
+    viscosity: Annotated[Any, WithJsonSchema(_LAW)] = Field(description="shear viscosity, a table {law = \"...\", ...} (hugoniot list "
+        "transport)")
+    conduction: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="heat conduction, a table {law = \"...\", ...} "
+        "(hugoniot list conduction) (default: none)")
+    bulk_ratio: Annotated[float, Quantity("1", least=0.0)] = Field(0.0, description="bulk viscosity divided by shear viscosity")
+    bulk_viscosity: Annotated[float, Quantity("Pa s", least=0.0)] = Field(0.0, description="constant that is added to the bulk viscosity")
 
 
 class ShockTable(Table):
-    """A shock put into the domain at t = 0; the material ahead, on the left, has the state of the first region."""
+    """A shock in the domain at t = 0. The material ahead of it is on the left and has the state of the first region.
 
-    mach: Annotated[float, Quantity("1", above=1.0, limit=1e6)] | None = Field(None, description="Mach number (this or another measure)")
-    shock_velocity: Annotated[float, Quantity("m/s", above=0.0)] | None = Field(None, description="speed into the material ahead")
-    particle_velocity: Annotated[float, Quantity("m/s", above=0.0)] | None = Field(None, description="velocity jump")
-    pressure: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="pressure behind")
-    at: Length | None = Field(None, description="position of the shock at t = 0 (default: the middle)")
-    start: Literal["step", "steady"] = Field("step", description="start as a step, or from the steady profile")
+    Give exactly one of mach, shock_velocity, particle_velocity and pressure.
+    """
+
+    mach: Annotated[float, Quantity("1", above=1.0, limit=1e6)] | None = Field(None, description="Mach number of the shock")
+    shock_velocity: Annotated[float, Quantity("m/s", above=0.0)] | None = Field(None,
+        description="speed of the shock relative to the material ahead")
+    particle_velocity: Annotated[float, Quantity("m/s", above=0.0)] | None = Field(None,
+        description="jump of the particle velocity across the shock")
+    pressure: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="pressure behind the shock")
+    at: Length | None = Field(None, description="position of the shock at t = 0 (default: the middle of the domain)")
+    start: Literal["step", "steady"] = Field("step", description="step: the run starts with a discontinuity; steady: with the profile "
+        "of the steady shock")
     frame: Literal["standing", "moving"] = Field(
-        "standing", description="standing: the frame of the shock; "
-        "moving: the material ahead has its region's velocity, the shock runs left")
+        "standing", description="standing: in the frame of the shock, which stays in place; moving: the material ahead has the "
+        "velocity of its region, and the shock runs to the left")
 
 
 class SolverTable(Table):
-    """How it is solved."""
+    """Options of the solver."""
 
-    kind: Literal["shock_structure"] = Field(description="the solver")
-    courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(None, description="Courant number (default 0.9)")
-    largest_step: Positive | None = Field(None, description="largest time step (default: none)")
-    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after this many cycles (default: no limit)")
-    transport: TransportTable = Field(description="[solver.transport]: viscosity and conduction")
-    shock: ShockTable | None = Field(None, description="[solver.shock]: a shock at t = 0 (default: the regions' own states)")
+    kind: Literal["shock_structure"] = Field(description="name of the solver")
+    courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(None,
+        description="Courant number of the time step (default: 0.9)")
+    largest_step: Positive | None = Field(None, description="upper limit of the time step (default: none)")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="number of time steps after which the run stops (default: no limit)")
+    transport: TransportTable = Field(description="physical viscosity and heat conduction, [solver.transport]")
+    shock: ShockTable | None = Field(None, description="a shock at t = 0, [solver.shock] (default: none; the run starts from the "
+        "states of the regions)")
 
 
 class EndTables(Table):
-    """What happens at the two ends."""
+    """What happens at the left and right end of the domain."""
 
-    left: Literal["transmitting", "fixed"] = Field("transmitting", description="transmitting lets waves pass, fixed is a wall")
-    right: Literal["transmitting", "fixed"] = Field("transmitting", description="transmitting lets waves pass, fixed is a wall")
+    left: Literal["transmitting", "fixed"] = Field("transmitting", description="left end: transmitting lets waves pass, fixed is a wall")
+    right: Literal["transmitting", "fixed"] = Field("transmitting", description="right end, in the same way")
 
 
 class Model(Table):
-    """A deck of the viscous flow solver."""
+    """The solver `shock_structure` computes the flow of one viscous, heat-conducting fluid through a fixed planar mesh.
 
-    title: str = Field("", max_length=200, description="title of report and plots (default: the deck's file name)")
-    geometry: Literal["planar"] = Field("planar", description="symmetry")
+    Use it to resolve the inside of a shock. The regions must touch, be of one material and have zones of one width. Strength and
+    fracture are not supported, and there are no gauges.
+    """
+
+    title: str = Field("", max_length=200, description="title of the report and plots (default: the deck's file name)")
+    geometry: Literal["planar"] = Field("planar", description="symmetry, always planar")
     stop_time: Positive = Field(description="time at which the run ends, such as \"100 ns\"")
-    region: list[RegionTable] = Field(min_length=1, max_length=1000, description="pieces of one material, [[region]], cells of one width")
+    region: list[RegionTable] = Field(min_length=1, max_length=1000, description="parts of the domain, [[region]]")
     material: dict[str, Annotated[Any, WithJsonSchema({"x-definition": "material"})]] = Field(
-        default_factory=dict, description="the material of this deck, [material.NAME.eos]")
-    boundary: EndTables = Field(default_factory=EndTables, description="the two ends")  # type: ignore[arg-type]
-    solver: SolverTable = Field(description="how the problem is solved")
-    output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
+        default_factory=dict, description="the material, if this deck defines it, [material.NAME]")
+    boundary: EndTables = Field(default_factory=EndTables, description="the two ends, [boundary]")  # type: ignore[arg-type]
+    solver: SolverTable = Field(description="the solver and its options, [solver]")
+    output: OutputTable = Field(default_factory=OutputTable, description="what is stored, [output]")  # type: ignore[arg-type]
 
 
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem | None, list[str]]:

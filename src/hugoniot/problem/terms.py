@@ -42,49 +42,58 @@ def _weights(value: Any) -> tuple[float, ...]:
 
 
 class BodyForceTable(Table):
-    """A force on every mass: gravity, or a field about the axis or the centre."""
+    """A force on all material: uniform gravity in planar geometry, a field about the axis or centre in curved geometry."""
 
     acceleration: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s^2"})] = Field(
-        description="towards larger positions: a number, a named pulse or a table over time")
+        description="acceleration, positive towards larger positions; constant, or a pulse or table of times")
     exponent: Annotated[float, Quantity("1", limit=10.0)] | None = Field(
-        None, description="curved geometry: the field is acceleration (r/radius)^exponent, -2 for a point mass, 1 for rotation")
+        None, description="curved geometry, where it is required: power n of the field acceleration (r/radius)^n; -2 is a point mass, "
+        "1 is rotation")
     radius: Annotated[float, Quantity("m", above=0.0)] | None = Field(
-        None, description="curved geometry: radius at which acceleration has the value given")
+        None, description="curved geometry, where it is required: radius at which the field equals acceleration")
 
 
 class HeatSourceTable(Table):
-    """Energy supplied to a region from outside: a deposited X-ray, laser or electron pulse, or any heating."""
+    """Energy supplied to a region that does not burn: an X-ray, laser or electron pulse, or any other heating.
 
-    region: str = Field(description="name of the heated region")
+    With neither absorption_length nor depths the energy is spread evenly over the mass of the region.
+    """
+
+    region: str = Field(description="name of the heated region; its material must not burn")
     power: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "W/kg"})] = Field(
-        None, description="per mass, where the profile is 1: a number, a named pulse or a table over time (this or intensity)")
+        None, description="power per mass, multiplied by weights if given; constant, or a pulse or table of times; give either this or "
+        "intensity")
     intensity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "W/m^2"})] = Field(
-        None, description="through the face on `side`: a number, a named pulse or a table over time (this or power)")
-    side: Literal["left", "right"] = Field("left", description="face of the region from which depth counts")
+        None, description="power per area that enters the region through its face on side; constant, or a pulse or table of times; "
+        "give either this or power")
+    side: Literal["left", "right"] = Field("left", description="face of the region from which depths are measured")
     absorption_length: Annotated[float, Quantity("m", above=0.0)] | None = Field(
-        None, description="depth over which the intensity falls to 1/e; what the region does not absorb passes through it")
+        None, description="with intensity: depth over which it falls to 1/e; what reaches the other face is lost; excludes depths")
     depths: Annotated[Any, BeforeValidator(_depths), WithJsonSchema({"type": "array", "unit": "m"})] = Field(
-        None, description="depths of a tabulated profile; linear in between, zero beyond")
+        None, description="depths below the face at t = 0, increasing, at which weights are given; linear in between, zero outside")
     weights: Annotated[Any, BeforeValidator(_weights), WithJsonSchema({"type": "array", "items": {"type": "number"}})] = Field(
-        None, description="energy per mass at those depths: relative weights with `intensity`, factors with `power`")
+        None, description="one number per depth: with power a factor of it, with intensity the relative energy per mass")
 
 
 class MaterialTransportTable(Table):
-    """Physical viscosity and heat conduction of one material."""
+    """Physical viscosity and heat conduction of MATERIAL, a material that a region uses and that does not burn. By default neither."""
 
-    viscosity: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="table {law = ...} of shear viscosity, or none (default)")
-    conduction: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="table {law = ...} of heat conduction, or none (default)")
-    bulk_ratio: Annotated[float, Quantity("1", least=0.0)] = Field(0.0, description="bulk over shear viscosity")
-    bulk_viscosity: Annotated[float, Quantity("Pa s", least=0.0)] = Field(0.0, description="constant bulk viscosity added to it, Pa s")
+    viscosity: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="shear viscosity, a table {law = \"...\", ...} (hugoniot "
+        "list transport) (default: none)")
+    conduction: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="heat conduction, a table {law = \"...\", ...} "
+        "(hugoniot list conduction) (default: none)")
+    bulk_ratio: Annotated[float, Quantity("1", least=0.0)] = Field(0.0, description="bulk viscosity divided by shear viscosity")
+    bulk_viscosity: Annotated[float, Quantity("Pa s", least=0.0)] = Field(0.0, description="constant that is added to the bulk viscosity")
 
 
 class TermTables(Table):
-    """The terms a deck may add."""
+    """Optional terms of the equations of motion and energy."""
 
-    body_force: BodyForceTable | None = Field(None, description="[body_force]: gravity or another force on every mass")
-    heat_source: list[HeatSourceTable] = Field(default_factory=list, max_length=100, description="energy supplied, [[heat_source]]")
+    body_force: BodyForceTable | None = Field(None, description="gravity or another force on all material, [body_force]")
+    heat_source: list[HeatSourceTable] = Field(default_factory=list, max_length=100,
+        description="energy supplied from outside, [[heat_source]]")
     transport: dict[str, MaterialTransportTable] = Field(
-        default_factory=dict, description="[transport.MATERIAL]: physical viscosity and heat conduction")
+        default_factory=dict, description="physical viscosity and heat conduction of materials, [transport.MATERIAL]")
 
 
 # -- reading -----------------------------------------------------------------------------------------------------------

@@ -101,28 +101,33 @@ Pair = Annotated[Any, BeforeValidator(_pair), WithJsonSchema({"type": "array", "
 
 
 class CurveTable(Table):
-    """One edge of a block: line, arc, polyline or csv."""
+    """A side of a block with shape "edges": give exactly one of line, arc, polyline and csv. The ends of the sides must meet."""
 
-    line: PointList | None = Field(None, description="two points")
-    arc: PointList | None = Field(None, description="three points of a circle: one end, one in between, the other end")
-    polyline: PointList | None = Field(None, description="two points or more")
-    csv: str | None = Field(None, min_length=1, max_length=4000, description="file in the deck's folder: one point per line, two columns")
-    unit: str = Field("m", max_length=20, description="length unit of the csv columns")
+    line: PointList | None = Field(None, description="straight line between two points")
+    arc: PointList | None = Field(None, description="arc of a circle through three points: an end, a point on the arc, the other end")
+    polyline: PointList | None = Field(None, description="straight pieces through two or more points")
+    csv: str | None = Field(None, min_length=1, max_length=4000, description="file in the deck's folder with one point per line, in "
+        "two columns; read as a polyline")
+    unit: str = Field("m", max_length=20, description="with csv only: unit of both columns, such as \"mm\"")
     spacing: Literal["length", "points"] = Field(
-        "length", description="length divides the curve by arc length and ratio; points uses the points of a polyline as nodes")
+        "length", description="length: nodes divide the arc length according to ratio; points: the points of the polyline or file are "
+        "the nodes")
 
 
 class VelocityTable(Table):
-    """A velocity field: the sum of its parts."""
+    """An initial velocity field: the sum of base, gradient, radial and rotation."""
 
-    base: Speeds = Field((0.0, 0.0), description="constant part")
-    centre: Place = Field((0.0, 0.0), description="where the other parts vanish or are centred")
+    base: Speeds = Field((0.0, 0.0), description="uniform velocity")
+    centre: Place = Field((0.0, 0.0), description="point from which the other parts are measured")
     gradient: Annotated[Any, BeforeValidator(_matrix), WithJsonSchema({"type": "array", "items": _array("1/s"), "unit": "1/s"})] = Field(
-        ((0.0, 0.0), (0.0, 0.0)), description="[[dvx/dx, dvx/dy], [dvy/dx, dvy/dy]], times the position relative to the centre")
-    radial: Annotated[float, Quantity("m/s", limit=LIGHT)] = Field(0.0, description="speed away from the centre")
-    radius: Annotated[float, Quantity("m", above=0.0)] = Field(1.0, description="distance at which the speed equals radial")
-    power: Annotated[float, Quantity("1", limit=20.0)] = Field(0.0, description="radial part at distance d: radial (d / radius)^power")
-    rotation: Annotated[float, Quantity("rad/s")] = Field(0.0, description="rate of rotation, counter-clockwise (plane only)")
+        ((0.0, 0.0), (0.0, 0.0)), description="velocity gradient [[dvx/dx, dvx/dy], [dvy/dx, dvy/dy]], multiplied by the position "
+        "relative to centre (in axisymmetric geometry x is r and y is z)")
+    radial: Annotated[float, Quantity("m/s", limit=LIGHT)] = Field(
+        0.0, description="speed away from centre; at distance d it is radial (d/radius)^power, and 0 at centre itself")
+    radius: Annotated[float, Quantity("m", above=0.0)] = Field(1.0, description="distance at which that speed equals radial")
+    power: Annotated[float, Quantity("1", limit=20.0)] = Field(0.0, description="exponent of the distance; 0: the same speed everywhere")
+    rotation: Annotated[float, Quantity("rad/s")] = Field(
+        0.0, description="angular velocity about centre, counter-clockwise; plane geometry only")
 
 
 _FIELD = {"anyOf": [_array("m/s"), VelocityTable.model_json_schema()]}
@@ -130,185 +135,236 @@ VelocityField = Annotated[Any, BeforeValidator(_velocity), WithJsonSchema(_FIELD
 
 
 class BlockTable(Table):
-    """A logically rectangular piece of one material: i runs along x (r, radius, left to right), j along y (z, angle, bottom to top)."""
+    """A piece of one material with a logically rectangular mesh, whose zones are counted by i and j.
 
-    name: str = Field(min_length=1, max_length=60, description="name used in chains, gauges, messages and plots")
-    material: str = Field(min_length=1, max_length=200, description="a table [material.NAME] of the deck, or a name of the library")
-    shape: Literal["box", "sector", "edges"] = Field("box", description="box, sector of a ring or sphere, or four edges")
-    zones: Counts = Field(description="zones along i and along j")
-    ratio: Ratios = Field((1.0, 1.0), description="width of each zone over that of the one before, along i and j")
-    x: Place | None = Field(None, description="box in the plane: from, to")
-    y: Place | None = Field(None, description="box in the plane: from, to")
-    r: Place | None = Field(None, description="box in axisymmetric geometry: radii from, to")
-    z: Place | None = Field(None, description="box in axisymmetric geometry: from, to")
-    centre: Place | None = Field(None, description="sector: its centre (default: the origin)")
-    radius: Place | None = Field(None, description="sector: inner (above 0) and outer radius")
-    angle: Angles | None = Field(None, description="sector: from, to, counter-clockwise from x (0 is the equator and 90 deg the axis in "
-                                "axisymmetric geometry)")
-    left: CurveTable | None = Field(None, description="edges: the side i = 0")
-    right: CurveTable | None = Field(None, description="edges: the last side of i")
-    bottom: CurveTable | None = Field(None, description="edges: the side j = 0")
-    top: CurveTable | None = Field(None, description="edges: the last side of j")
+    In a box i runs along x (or r) and j along y (or z); in a sector i runs outwards and j counter-clockwise. The sides are left (first
+    i), right (last i), bottom (first j) and top (last j). Blocks are joined where the nodes of their sides coincide. A state takes at most
+    two of density, pressure, temperature and energy, as in `[[region]]`.
+    """
+
+    name: str = Field(min_length=1, max_length=60, description="name of the block, used by boundaries, gauges, contacts, messages and "
+        "plots")
+    material: str = Field(min_length=1, max_length=200, description="NAME of a table [material.NAME] of this deck, or else a material "
+        "of the library")
+    shape: Literal["box", "sector", "edges"] = Field(
+        "box", description="box: rectangle; sector: part of a ring (axisymmetric: of a spherical shell); edges: four curved sides")
+    zones: Counts = Field(description="numbers of zones along i and along j")
+    ratio: Ratios = Field((1.0, 1.0), description="width of each zone divided by that of the one before it, along i and along j")
+    x: Place | None = Field(None, description="box in plane geometry, required: smallest and largest x")
+    y: Place | None = Field(None, description="box in plane geometry, required: smallest and largest y")
+    r: Place | None = Field(None, description="box in axisymmetric geometry, required: smallest and largest radius")
+    z: Place | None = Field(None, description="box in axisymmetric geometry, required: smallest and largest z")
+    centre: Place | None = Field(None, description="sector: centre of the ring (default: the origin)")
+    radius: Place | None = Field(None, description="sector, required: inner and outer radius; the inner one must be above 0")
+    angle: Angles | None = Field(None, description="sector, required: first and last angle, counter-clockwise from the direction of x "
+        "(or r); in axisymmetric geometry \"0 deg\" is the equator and \"90 deg\" the axis")
+    left: CurveTable | None = Field(None, description="edges, required: the left side (first i), [block.left]")
+    right: CurveTable | None = Field(None, description="edges, required: the right side (last i), [block.right]")
+    bottom: CurveTable | None = Field(None, description="edges, required: the bottom side (first j), [block.bottom]")
+    top: CurveTable | None = Field(None, description="edges, required: the top side (last j), [block.top]")
     fill: Literal["transfinite", "winslow"] | None = Field(
-        None, description="edges: transfinite interpolation (default) or Winslow's equipotential zoning")
-    velocity: VelocityField = Field((0.0, 0.0), description="initial velocity, or a table of a velocity field")
+        None, description="edges: interior mesh by transfinite interpolation, or by Winslow's equipotential zoning, whose mesh lines "
+        "do not fold over a bump (default: transfinite)")
+    velocity: VelocityField = Field((0.0, 0.0), description="initial velocity along both coordinates, or a field, [block.velocity]")
     density: Annotated[float, Quantity("kg/m^3", above=0.0)] | None = Field(None, description="initial density")
     pressure: Pressure | None = Field(None, description="initial pressure")
-    temperature: Annotated[float, Quantity("K", above=0.0, limit=1e12)] | None = Field(None, description="initial temperature")
+    temperature: Annotated[float, Quantity("K", above=0.0, limit=1e12)] | None = Field(
+        None, description="initial temperature; the equation of state must give temperatures")
     energy: Annotated[float, Quantity("J/kg")] | None = Field(None, description="initial specific internal energy")
 
 
 class BoundaryTable(Table):
-    """What happens on chains of boundary edges."""
+    """What happens at sides of blocks that are not joined. A side without an entry is free, or the axis if it lies on r = 0."""
 
-    on: Chains = Field(description="\"BLOCK.left\" and so on, one or an array of them")
+    on: Chains = Field(description="a side such as \"BLOCK.left\", or an array of sides; of a side joined in part, the rest of it")
     kind: Literal["free", "wall", "axis", "velocity", "pressure", "transmitting"] = Field(
-        description="free, rigid straight wall, axis r = 0, driven velocity, pressure over time, or transmitting")
+        description="free: no stress; wall: rigid and straight, at any angle; axis: r = 0; velocity or pressure: prescribed over time; "
+        "transmitting: waves leave almost without reflection")
     velocity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s"})] = Field(
-        None, description="for kind velocity: a value or a pulse")
+        None, description="kind velocity, required: speed along direction; constant, or a pulse or table of times")
     pressure: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "Pa"})] = Field(
-        None, description="for kind pressure: a value or a pulse")
-    direction: Direction | None = Field(None, description="of kind velocity: direction of the motion (default: into the material)")
-    slip: bool | None = Field(None, description="wall, velocity: nodes may slide along (default true); false: the other component is 0")
-    separable: bool | None = Field(None, description="wall: material may leave it and come back (default false: it holds tension)")
+        None, description="kind pressure, required: pressure on the moving surface; constant, or a pulse or table of times")
+    direction: Direction | None = Field(
+        None, description="kind velocity: vector along which the side moves (default: the inward normal at each node)")
+    slip: bool | None = Field(None, description="kind wall or velocity: whether nodes may slide along the side; if false, their other "
+        "velocity component is 0 (default: true)")
+    separable: bool | None = Field(
+        None, description="kind wall: whether material may leave the wall and return; if false, the wall supports tension; true "
+        "excludes slip = false (default: false)")
 
 
 class GaugeTable(Table):
-    """A gauge: a material point (at), the mean over a chain (on), or a fixed line of sight (on, through, direction)."""
+    """A gauge of one of three types: a material point (give at), the mean over a side (give on), or a line of sight.
 
-    name: str = Field(min_length=1, max_length=60, description="column of gauges.csv and label of plots")
-    at: Place | None = Field(None, description="material point: its place at t = 0")
-    on: str | None = Field(None, max_length=200, description="chain \"BLOCK.side\", or joint \"BLOCK/BLOCK\" (mean only)")
-    through: Place | None = Field(None, description="line of sight: a point of it")
-    direction: Direction | None = Field(None, description="line of sight: its direction, along which positions are counted")
+    A line of sight (give on, through and direction) is fixed in space, like the slit of a streak camera. It records where it meets the
+    side, and how fast that point moves.
+    """
+
+    name: str = Field(min_length=1, max_length=60, description="name of the gauge in gauges.csv and plots")
+    at: Place | None = Field(None, description="material point: its position at t = 0")
+    on: str | None = Field(None, max_length=200, description="mean or line of sight: a side, \"BLOCK.left\"; for a mean also the joint "
+        "of two blocks, \"BLOCK/BLOCK\"")
+    through: Place | None = Field(None, description="line of sight: a point of the line, from which positions along it are measured")
+    direction: Direction | None = Field(None, description="line of sight: vector along the line; positions increase along it")
 
 
 class LightingTable(Table):
-    """A detonator: where and when programmed burns start."""
+    """A detonator: where and when a programmed burn starts. Every body of explosive with a programmed burn law needs one."""
 
-    at: Place = Field(description="place at t = 0, in the explosive or on its edge (a ring about the axis where r > 0)")
-    to: Place | None = Field(None, description="other end of a straight line of detonators")
-    time: Time = Field(0.0, description="when it fires")
+    at: Place = Field(description="position at t = 0, in the explosive or on its edge; off the axis of axisymmetric geometry it is a ring")
+    to: Place | None = Field(None, description="second point; the detonators then form a straight line between at and to (default: "
+        "a single point)")
+    time: Time = Field(0.0, description="time at which the detonator fires")
 
 
 class ContactTable(Table):
-    """What surfaces do that meet."""
+    """What happens where surfaces meet. Without an entry they slide without friction, separate in tension and may meet again."""
 
-    between: Pair | None = Field(None, description="two blocks or rigid bodies; named blocks that touch at the start are not joined "
-                                 "(default: all that no other [[contact]] names)")
+    between: Pair | None = Field(None, description="names of two blocks, or of a block and a rigid body; one block twice is contact "
+        "with itself; blocks named here are not joined where they touch at the start (default: all surfaces that no other [[contact]] "
+        "names)")
     kind: Literal["sliding", "bonded", "separable"] = Field(
-        "sliding", description="sliding; bonded for good where they touch; or bonded up to a strength and sliding after that")
-    friction: Plain = Field(Contact2D.friction, description="Coulomb friction coefficient")
+        "sliding", description="sliding: no tension; bonded: permanent once they touch; separable: bonded until the tension exceeds "
+        "strength, then sliding")
+    friction: Plain = Field(Contact2D.friction, description="Coulomb friction coefficient; not with kind bonded")
     strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(
-        None, description="of kind separable: tension at which a bond breaks")
+        None, description="kind separable, required: tensile stress that breaks the bond")
 
 
 class RigidTable(Table):
-    """A rigid body: a wall or a punch."""
+    """A rigid body. It is at rest, driven (give velocity and direction), or free (give mass)."""
 
-    name: str = Field(min_length=1, max_length=60, description="name used in contact and results")
-    points: PointList = Field(description="its surface, a polyline")
+    name: str = Field(min_length=1, max_length=60, description="name of the body, used by contacts and results")
+    points: PointList = Field(description="points of its surface, a polyline; the body must not overlap a block")
     closed: bool = Field(False, description="whether the last point is joined to the first")
     velocity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s"})] = Field(
-        None, description="driven along direction: a value or a pulse (default: at rest)")
+        None, description="speed of a driven body along direction; constant, or a pulse or table of times; excludes mass (default: at "
+        "rest)")
     mass: Annotated[float, Quantity("kg", above=0.0)] | None = Field(
-        None, description="of a free body: kg per metre of depth in the plane; "
-        "in axisymmetric geometry kg of a ring, which moves along the axis")
-    start: Speeds | None = Field(None, description="velocity at t = 0 of a body with mass, of its centre of mass where it turns")
-    direction: Direction | None = Field(None, description="along which it moves, or is guided if it has a mass (default: any)")
-    turns: bool = Field(False, description="whether a body with mass turns too, in the plane")
+        None, description="mass of a free body: in plane geometry per metre of depth, in axisymmetric geometry of the whole ring, "
+        "which moves along the axis only; excludes velocity")
+    start: Speeds | None = Field(None, description="initial velocity of a free body, of its centre of mass if it turns (default: 0)")
+    direction: Direction | None = Field(
+        None, description="vector along which a driven body moves (required), or to which a free body is restricted (default: none)")
+    turns: bool = Field(False, description="whether a free body without direction also rotates; plane geometry only")
     inertia: Annotated[float, Quantity("kg*m^2", above=0.0)] | None = Field(
-        None, description="of a body that turns: moment of inertia about the centre of mass per metre of depth (default: uniform density)")
+        None, description="with turns: moment of inertia about the centre of mass, per metre of depth; required if the body is not "
+        "closed (default: that of uniform density)")
     centre: Place | None = Field(
-        None, description="of a body that turns: centre of mass (default: that of the closed polygon, of uniform density)")
+        None, description="with turns: centre of mass at t = 0; required if the body is not closed (default: that of uniform density)")
     spin: Annotated[float, Quantity("1/s")] | None = Field(
-        None, description="of a body that turns: angular velocity at t = 0 in radians per second, counter-clockwise (default: 0)")
+        None, description="with turns: initial angular velocity in radians per second, counter-clockwise (default: 0)")
 
 
 class ViscosityTable(Table):
-    """Artificial viscosity."""
+    """Artificial viscosity. The linear coefficients multiply the sound speed, the quadratic ones the velocity jump."""
 
-    kind: Literal["tensor", "edge", "herrmann"] = Field("tensor", description="tensor: along both principal directions of the strain rate, "
-                                                        "each with its own length; edge: along the edges that shorten; herrmann: bulk and "
-                                                        "deviators along the axes of the frame, for comparison")
-    limited: bool = Field(Viscosity2D.limited, description="use a limiter (no viscosity in smooth flow); herrmann: write false")
-    linear: Plain = Field(Viscosity2D.linear, description="linear coefficient of materials without strength")
-    quadratic: Plain = Field(Viscosity2D.quadratic, description="quadratic coefficient of materials without strength")
-    solid_linear: Plain = Field(Viscosity2D.solid_linear, description="linear coefficient of solids where they are compressed")
-    solid_shear: Plain = Field(Viscosity2D.solid_shear, description="linear coefficient of solids where they flow at constant volume; "
-                                                                    "herrmann: everywhere")
+    kind: Literal["tensor", "edge", "herrmann"] = Field(
+        "tensor", description="tensor: acts along both principal directions of the strain rate, each with its own length; edge: acts "
+        "along the edges that shorten; herrmann: acts on bulk and deviators along the coordinate axes, for comparison")
+    limited: bool = Field(Viscosity2D.limited, description="whether a limiter removes the viscosity in smooth flow; kind herrmann has "
+        "none and needs limited = false")
+    linear: Plain = Field(Viscosity2D.linear, description="linear coefficient of materials without strength that do not burn")
+    quadratic: Plain = Field(Viscosity2D.quadratic, description="quadratic coefficient of materials without strength that do not burn")
+    solid_linear: Plain = Field(Viscosity2D.solid_linear, description="linear coefficient of materials with strength where they are "
+        "compressed; not with kind herrmann")
+    solid_shear: Plain = Field(Viscosity2D.solid_shear, description="linear coefficient of materials with strength where they flow at "
+        "constant volume; with kind herrmann everywhere")
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")
-    explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of explosives; 0 in those "
-                                                                              "whose burn is programmed alone")
+    explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of materials that burn; not used "
+        "where the burn law is programmed alone")
     explosive_quadratic: Plain = Field(Viscosity2D.explosive_quadratic, description="quadratic coefficient of materials that burn")
-    heat_flux: Plain = Field(Viscosity2D.heat_flux, description="coefficient of the artificial heat flux in shocks of quadrilaterals, "
-                                                                "in materials without strength that do not burn; 0: none")
+    heat_flux: Plain = Field(Viscosity2D.heat_flux, description="coefficient of the artificial heat flux in shocks of materials "
+        "without strength that do not burn; cells quads only; 0 switches it off")
 
 
 class HourglassTable(Table):
-    """What works against hourglass modes of quadrilaterals; 0 is off."""
+    """Filters against hourglass modes; cells quads only. A coefficient of 0 switches a filter off."""
 
-    subzonal_pressure: Plain = Field(Solver2D.subzonal_pressure, description="merit factor, materials without strength")
-    flanagan_belytschko: Plain = Field(Solver2D.flanagan_belytschko, description="viscous coefficient, materials with strength")
+    subzonal_pressure: Plain = Field(Solver2D.subzonal_pressure, description="merit factor of the subzonal pressures, in materials "
+        "without strength")
+    flanagan_belytschko: Plain = Field(Solver2D.flanagan_belytschko, description="viscous coefficient of the Flanagan-Belytschko "
+        "filter, in materials with strength")
 
 
 class ErosionTable(Table):
-    """When zones leave the mesh."""
+    """When zones are removed from the mesh; cells quads only. Give plastic_strain, smallest_step, or both.
+
+    Zones in which the mesh would tangle are then removed too. Without this table no zone is removed.
+    """
 
     plastic_strain: Annotated[float, Quantity("1", above=0.0)] | None = Field(
-        None, description="equivalent plastic strain at which a zone leaves the mesh (default: none)")
-    smallest_step: Positive | None = Field(None, description="Courant step of a zone at which it leaves the mesh (default: none)")
-    mass: Literal["kept", "dropped"] = Field("kept", description="kept by its nodes, or dropped with its momentum and energy, which are "
-                                             "recorded")
+        None, description="equivalent plastic strain at which a zone is removed (default: no limit)")
+    smallest_step: Positive | None = Field(
+        None, description="a zone is removed when its Courant time step falls below this (default: no limit)")
+    mass: Literal["kept", "dropped"] = Field(
+        "kept", description="kept: the nodes of the zone keep its mass; dropped: it is removed with its momentum and energy, which are "
+        "recorded")
 
 
 class SolverTable(Table):
-    """How it is solved."""
+    """Options of the solver."""
 
-    kind: Literal["lagrange2d"] = Field(description="the solver")
-    integrator: Literal["compatible"] = Field("compatible", description="compatible conserves total energy to round-off")
-    cells: Literal["quads", "triangles"] = Field("quads", description="a cell of a block is one quadrilateral zone, or two triangles")
+    kind: Literal["lagrange2d"] = Field(description="name of the solver")
+    integrator: Literal["compatible"] = Field("compatible", description="the only scheme; it conserves total energy to round-off")
+    cells: Literal["quads", "triangles"] = Field("quads", description="whether each cell of a block is one quadrilateral zone or is "
+        "divided into two triangular zones")
     diagonal: Literal["one_way", "alternating", "crossed"] | None = Field(
-        None, description="triangles: all diagonals one way (default), turned from row to row along j, or turned from cell to cell")
-    average_pressure: bool | None = Field(None, description="triangles: whether the two of a cell share one pressure, in materials with "
-                                          "strength (default true); on their own they are too stiff in plastic flow")
+        None, description="cells triangles: diagonals all in one direction, alternating from row to row along j, or alternating from "
+        "cell to cell (default: one_way)")
+    average_pressure: bool | None = Field(
+        None, description="cells triangles: whether the two triangles of a cell share one pressure, in materials with strength; "
+        "without it triangles are too stiff in plastic flow (default: true)")
     scheme: Literal["true_volume", "area_weighted"] | None = Field(
-        None, description="axisymmetric: true_volume (default), or area_weighted (default where all blocks are sectors about the axis)")
-    courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] = Field(Solver2D.courant, description="Courant number")
+        None, description="axisymmetric geometry: true_volume uses forces from virtual work; area_weighted keeps spherical symmetry on "
+        "polar meshes, but bodies cannot meet on the axis (default: area_weighted if all blocks are sectors centred on the axis, else "
+        "true_volume)")
+    courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] = Field(Solver2D.courant, description="Courant number of the time step")
     growth: Annotated[float, Quantity("1", least=1.0, limit=10.0)] = Field(
-        SolverOptions.growth, description="largest growth of the step per cycle")
+        SolverOptions.growth, description="largest ratio of a time step to the one before")
     initial_step: Positive | None = Field(None, description="first time step (default: from the Courant condition)")
-    largest_step: Positive | None = Field(None, description="largest time step (default: none)")
-    threads: int = Field(1, ge=1, le=1024, description="number of threads; any number gives the same result, to the last bit")
-    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after this many cycles (default: no limit)")
-    viscosity: ViscosityTable = Field(default_factory=ViscosityTable, description="artificial viscosity")  # type: ignore[arg-type]
-    hourglass: HourglassTable = Field(default_factory=HourglassTable, description="hourglass filters")  # type: ignore[arg-type]
-    erosion: ErosionTable | None = Field(None, description="when zones leave the mesh (default: never)")
+    largest_step: Positive | None = Field(None, description="upper limit of the time step (default: none)")
+    threads: int = Field(1, ge=1, le=1024, description="number of threads; the result is the same, bit for bit, for any number")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="number of time steps after which the run stops (default: no limit)")
+    viscosity: ViscosityTable = Field(
+        default_factory=ViscosityTable, description="artificial viscosity, [solver.viscosity]")  # type: ignore[arg-type]
+    hourglass: HourglassTable = Field(
+        default_factory=HourglassTable, description="hourglass filters, [solver.hourglass]")  # type: ignore[arg-type]
+    erosion: ErosionTable | None = Field(None, description="removal of zones, [solver.erosion] (default: no zone is removed)")
 
 
 class PlaneOutputTable(OutputTable):
-    """What is kept."""
+    """What a run stores, and how often."""
 
     snapshots: Snapshots = Field(
-        None, description="interval between snapshots, or their times (default: a hundredth of stop_time; a twentieth beyond 10 000 zones)")
+        None, description="time between snapshots of all zones, or an array of their times (default: a hundredth of stop_time, or a "
+        "twentieth with more than 10 000 zones)")
     gauge_interval: Annotated[float, Quantity("s", least=0.0)] | None = Field(  # pyrefly: ignore[bad-override]
-        None, description="time between gauge samples, 0: every cycle (default: a two-thousandth of stop_time)")
+        None, description="time between samples of the gauges; 0: a sample at every time step (default: stop_time / 2000)")
 
 
 class Model(Table):
-    """A deck of the two-dimensional Lagrangian hydrocode."""
+    """The solver `lagrange2d` is the two-dimensional Lagrangian hydrocode, for plane bodies and bodies of revolution.
 
-    title: str = Field("", max_length=200, description="title of report and plots (default: the deck's file name)")
-    geometry: Literal["plane", "axisymmetric"] = Field("plane", description="plane: (x, y); axisymmetric: (r, z) with the axis at r = 0")
+    Its mesh is made of blocks and moves with the material. [The guide](../two_dimensions.md) explains them with examples.
+    """
+
+    title: str = Field("", max_length=200, description="title of the report and plots (default: the deck's file name)")
+    geometry: Literal["plane", "axisymmetric"] = Field(
+        "plane", description="plane: coordinates (x, y), results per metre of depth; axisymmetric: (r, z) with the axis at r = 0, "
+        "results per radian")
     stop_time: Positive = Field(description="time at which the run ends, such as \"2.5 us\"")
     block: list[BlockTable] = Field(min_length=1, max_length=10_000, description="the pieces of material, [[block]]")
     material: dict[str, Annotated[Any, WithJsonSchema({"x-definition": "material"})]] = Field(
-        default_factory=dict, description="materials of this deck, [material.NAME.eos] and so on")
-    boundary: list[BoundaryTable] = Field(default_factory=list, max_length=10_000, description="what happens at the edges, [[boundary]]")
+        default_factory=dict, description="materials defined in this deck, [material.NAME]")
+    boundary: list[BoundaryTable] = Field(default_factory=list, max_length=10_000,
+        description="conditions at sides of blocks, [[boundary]]")
     gauge: list[GaugeTable] = Field(default_factory=list, max_length=10_000, description="gauges, [[gauge]]")
-    lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="where programmed burns start, [[lighting]]")
-    contact: list[ContactTable] = Field(default_factory=list, max_length=10_000, description="surfaces that meet, [[contact]]")
+    lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="detonators, [[lighting]]")
+    contact: list[ContactTable] = Field(default_factory=list, max_length=10_000,
+        description="what happens where surfaces meet, [[contact]]")
     rigid: list[RigidTable] = Field(default_factory=list, max_length=1000, description="rigid bodies, [[rigid]]")
-    body_force: Acceleration = Field((0.0, 0.0), description="acceleration of everything")
-    solver: SolverTable = Field(description="how the problem is solved")
-    output: PlaneOutputTable = Field(default_factory=PlaneOutputTable, description="what is kept")  # type: ignore[arg-type]
+    body_force: Acceleration = Field(
+        (0.0, 0.0), description="constant acceleration of all material along both coordinates; the radial one must be 0")
+    solver: SolverTable = Field(description="the solver and its options, [solver]")
+    output: PlaneOutputTable = Field(default_factory=PlaneOutputTable, description="what is stored, [output]")  # type: ignore[arg-type]
