@@ -264,13 +264,23 @@ def solver_section(kind: str) -> str:
     same = [head for head, (_, part) in mine.items() if known.get(head) == json.dumps(part)]
     if same:
         shared = [head for head in same if head.count(".") == 0 or head.split(".")[0] + "]" not in same]
-        text.append(f"{_listed(shared)} are the same as in [decks of `{FIRST}`](#decks-of-{FIRST}). Of the keys outside these tables, the "
+        verb = "is" if len(shared) == 1 else "are"
+        text.append(f"{_listed(shared)} {verb} the same as in [decks of `{FIRST}`](#decks-of-{FIRST}). Of the keys outside tables the "
                     "following differ:\n")
     text.append(keys(schema, first if same else None))
     for head, (depth, part) in mine.items():
-        if head not in same:
+        if (more := _more(part, known.get(head))):
+            text += [f"{depth} {head}\n", f"The same keys as in [decks of `{FIRST}`](#decks-of-{FIRST}), without {_listed(more)}.\n"]
+        elif head not in same:
             text += [f"{depth} {head}\n", _linked(part.get("description", ""), part["properties"]) + "\n", keys(part)]
     return "\n".join(text)
+
+
+def _more(part: dict, known: str | None) -> list[str] | None:
+    """Keys that a table of the first solver has beside all those of this one; None where they differ otherwise, or not at all."""
+    first = json.loads(known)["properties"] if known else {}
+    more = [name for name in first if name not in part["properties"]]
+    return more if more and all(first.get(name) == entry for name, entry in part["properties"].items()) else None
 
 
 def _listed(heads: list[str]) -> str:

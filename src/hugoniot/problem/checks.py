@@ -69,7 +69,7 @@ def read_regions(rows: Sequence, raw: Any, geometry: Any, own: dict[str, Materia
 
 def checked_profile(row: Any, zones: int | None, material: Material | None, collector: Collector, path: tuple) -> Profile | None:
     """The profile of a region's row, after reporting states that its material cannot be in."""
-    if row.profile is None or zones is None:
+    if getattr(row, "profile", None) is None or zones is None:     # shock_structure has none
         return None
     path = (*path, "profile")
     profile = read_profile(row.profile, graded_nodes(row.start, row.end, zones, row.ratio), collector, path)

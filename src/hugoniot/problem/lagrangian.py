@@ -69,12 +69,8 @@ _one_or_more = {"anyOf": [{"type": "number"}, {"type": "string"}, {"type": "arra
 Snapshots = Annotated[Any, BeforeValidator(_times), WithJsonSchema(_one_or_more | {"unit": "s"})]
 
 
-class RegionTable(Table):
-    """A layer of one material at t = 0, divided into zones. A state takes at most two of density, pressure, temperature and energy.
-
-    Without any of them the region starts in the reference state of its equation of state (reference density, zero pressure). One of
-    pressure, temperature and energy goes with the reference density; density alone goes with zero pressure.
-    """
+class UniformRegionTable(Table):
+    """A region in one state."""
 
     name: str = Field(min_length=1, max_length=60, description="name of the region, used by gauges, interfaces, messages and plots")
     material: str = Field(min_length=1, max_length=200, description="NAME of a table [material.NAME] of this deck, or else a material "
@@ -94,6 +90,15 @@ class RegionTable(Table):
     temperature: Annotated[float, Quantity("K", above=0.0, limit=1e12)] | None = Field(
         None, description="initial temperature; the equation of state must give temperatures")
     energy: Annotated[float, Quantity("J/kg")] | None = Field(None, description="initial specific internal energy")
+
+
+class RegionTable(UniformRegionTable):
+    """A layer of one material at t = 0, divided into zones. A state takes at most two of density, pressure, temperature and energy.
+
+    Without any of them the region starts in the reference state of its equation of state (for solids and liquids, the reference density
+    at zero pressure). One of pressure, temperature and energy goes with the reference density; density alone goes with zero pressure.
+    """
+
     profile: ProfileTable | None = Field(None, description="initial state that varies along the region, [region.profile]")
 
 

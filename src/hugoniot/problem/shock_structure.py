@@ -17,7 +17,7 @@ from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks
 from hugoniot.problem.advice import unlikely_constants
 from hugoniot.problem.defaults import completed
-from hugoniot.problem.lagrangian import OutputTable, Positive, RegionTable, _known, _output, _parts
+from hugoniot.problem.lagrangian import OutputTable, Positive, UniformRegionTable, _known, _output, _parts
 from hugoniot.problem.model import Boundary, Problem, SolverOptions
 from hugoniot.problem.schema import Length, Quantity, Table, salvage
 
@@ -85,7 +85,7 @@ class Model(Table):
     title: str = Field("", max_length=200, description="title of the report and plots (default: the deck's file name)")
     geometry: Literal["planar"] = Field("planar", description="symmetry, always planar")
     stop_time: Positive = Field(description="time at which the run ends, such as \"100 ns\"")
-    region: list[RegionTable] = Field(min_length=1, max_length=1000, description="parts of the domain, [[region]]")
+    region: list[UniformRegionTable] = Field(min_length=1, max_length=1000, description="parts of the domain, [[region]]")
     material: dict[str, Annotated[Any, WithJsonSchema({"x-definition": "material"})]] = Field(
         default_factory=dict, description="the material, if this deck defines it, [material.NAME]")
     boundary: EndTables = Field(default_factory=EndTables, description="the two ends, [boundary]")  # type: ignore[arg-type]
@@ -96,7 +96,8 @@ class Model(Table):
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem | None, list[str]]:
     """The problem, and warnings; the problem is None when anything was reported (see `problem.lagrangian.read`)."""
     warnings: list[str] = []
-    regions, used = checks.read_regions(_parts(RegionTable, raw.get("region")), raw.get("region"), "planar", materials, collector, warnings)
+    rows = _parts(UniformRegionTable, raw.get("region"))
+    regions, used = checks.read_regions(rows, raw.get("region"), "planar", materials, collector, warnings)
     _check_grid(regions, used, collector)
     used = {name: _as_fluid(name, material, raw.get("material"), collector, warnings) for name, material in used.items()}
     table = raw.get("solver")
