@@ -8,14 +8,15 @@ import typer
 
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
-    field: Annotated[str, typer.Argument(help="Field, such as pressure, speed or von_mises.")] = "pressure",
-    out: Annotated[Path | None, typer.Option("--out", "-o", help="File: .gif or .mp4 (default: a .gif in the run folder).")] = None,
+    field: Annotated[str, typer.Argument(help="Field to show, such as pressure, speed or von_mises.")] = "pressure",
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="File to write, .gif or .mp4 (default: a .gif in the run "
+        "folder).")] = None,
     fps: Annotated[float, typer.Option("--fps", min=0.1, max=120.0, help="Frames per second.")] = 12.0,
     every: Annotated[int, typer.Option("--every", min=1, help="Use every Nth snapshot.")] = 1,
     mesh: Annotated[bool, typer.Option("--mesh", help="Draw the mesh lines.")] = False,
-    mirror: Annotated[bool, typer.Option("--mirror/--no-mirror", help="Axisymmetric: show the other half too.")] = True,
+    mirror: Annotated[bool, typer.Option("--mirror/--no-mirror", help="In axisymmetric geometry, show the other half too.")] = True,
 ) -> None:
-    """Write a film of a two-dimensional run, a frame per snapshot.
+    """Write a film of a two-dimensional run, with one frame per snapshot.
 
     Example: hugoniot animate taylor.run plastic_strain --out taylor.mp4
     """

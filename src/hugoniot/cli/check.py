@@ -19,7 +19,8 @@ def command(
     deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.", readable=False)],
     setting: SET = None,
     materials: MATERIALS = None,
-    resolved: Annotated[bool, typer.Option("--resolved", help="Print the deck with every default written out, in SI.")] = False,
+    resolved: Annotated[bool, typer.Option("--resolved", help="Print the deck with every default written out and all numbers in "
+        "SI.")] = False,
     as_json: JSON = False,
 ) -> None:
     """Report all errors and warnings in a deck.

@@ -16,14 +16,14 @@ def command(
     other: Annotated[Path, typer.Argument(help="Another run folder, or a CSV file with column headers such as 'time [us], velocity [m/s]'.",
                                            readable=False)],
     gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge of the run to compare measured data with.")] = None,
-    plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as compare.png.")] = None,
+    plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write (.png, .pdf, .svg).")] = None,
     as_json: JSON = False,
 ) -> None:
-    """Compare two runs, or a run and measured data, gauge by gauge: norms of the difference and shift in time.
+    """Compare two runs, or a run and measured data, gauge by gauge: mean, root mean square and largest difference, and shift in time.
 
-    Velocity and stress come first, the largest differences at the top. A column that names no gauge is compared with the surface of the
-    body that was hit, or with the deck's only gauge; --gauge chooses another. The records are compared as they are; the shift in time says
-    how much later OTHER reaches half of the largest change seen in RUN.
+    Velocity and stress are printed first, the largest differences at the top. A column of measured data that names no gauge is compared
+    with the surface of the body that was hit, or with the deck's only gauge; --gauge chooses another. The records are not shifted before
+    they are compared. The shift in time says how much later OTHER reaches half of the largest change seen in RUN.
 
     Example: hugoniot compare flyer.run visar.csv --plot compare.png
     """

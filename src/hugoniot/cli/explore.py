@@ -10,23 +10,23 @@ from hugoniot.errors import DeckError
 
 def command(
     what: Annotated[list[str] | None, typer.Argument(
-        metavar="[RUN|SWEEP|FIT|DECK|MATERIAL]...", help="Run folders, folders of runs, folders with cases.csv, tables (.csv), folders of "
-                                                         "fits, decks (.toml), materials (names or .toml).")] = None,
+        metavar="WHAT", help="What to show: folders of runs, sweeps or fits, a folder of run folders, tables (.csv), decks (.toml), "
+        "materials (names or .toml).")] = None,
     work: Annotated[Path, typer.Option("--work", "-w", help="Folder for runs started from the page; created with the first "
                                                             "run.")] = Path("explorer-runs"),
-    no_runs: Annotated[bool, typer.Option("--no-runs", help="Start no runs from the page.")] = False,
-    export: Annotated[Path | None, typer.Option("--export", help="Write the page with its data into this folder instead; it can be "
-                                                                     "opened from disk.")] = None,
-    port: Annotated[int, typer.Option("--port", min=0, max=65535, help="Port on this machine; 0 for any free one.")] = 0,
+    no_runs: Annotated[bool, typer.Option("--no-runs", help="Do not allow runs to be started from the page.")] = False,
+    export: Annotated[Path | None, typer.Option("--export", help="Write the page with its data to this folder instead; it can be "
+        "opened without a server.")] = None,
+    port: Annotated[int, typer.Option("--port", min=0, max=65535, help="Port on this machine; 0: any free port.")] = 0,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
-    view: Annotated[str, typer.Option("--view", help='View to open, the part of an address from # on: '
-                                                      '"#/match?layers=copper,pmma&v=800".')] = "",
+    view: Annotated[str, typer.Option("--view", help='View to open: the part of its address from # on, such as '
+        '"#/match?layers=copper,pmma&v=800".')] = "",
 ) -> None:
     """Explore materials, impacts, runs, decks and sweeps in a browser.
 
     Example: hugoniot explore flyer.run copper
 
-    The page is served to this machine alone, at an address with a token that changes with every start; Ctrl-C ends it.
+    Only this machine can reach the page. Its address contains a token that changes with every start. Ctrl-C ends the server.
     """
     from hugoniot.explorer.places import places_of
 

@@ -9,7 +9,7 @@ import typer
 from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
 from hugoniot.units import format_si
 
-_TO = 'Measured records or Pop plots (.csv), or a number such as "free surface.arrival = 0.69 +- 0.01 us"; repeatable.'
+_TO = 'Measured record or Pop plot (.csv), or a measured number such as "free surface.arrival = 0.69 +- 0.01 us"; repeatable.'
 _FREE = 'Constant to find and its range, such as "material.ta.fracture.strength = 1..8 GPa"; repeatable.'
 
 
@@ -17,33 +17,40 @@ def command(
     deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.", readable=False)],
     to: Annotated[list[str] | None, typer.Option("--to", help=_TO)] = None,
     free: Annotated[list[str] | None, typer.Option("--free", "-f", help=_FREE)] = None,
-    tie: Annotated[list[str] | None, typer.Option("--tie", help='Key tied to others: "region.target.from = region.flyer.to".')] = None,
-    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge for columns that do not name one.")] = None,
+    tie: Annotated[list[str] | None, typer.Option("--tie", help='Key that follows from others, such as "region.target.from = '
+        'region.flyer.to"; repeatable.')] = None,
+    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge that columns without a gauge name are compared with.")] = None,
     sigma: Annotated[str | None, typer.Option("--sigma", help='Standard deviation of records that give none, such as "5 m/s".')] = None,
-    window: Annotated[list[str] | None, typer.Option("--window", help='Times used in the fit: "0.5..2 us", or "FILE = 0.5..2 us".')] = None,
-    shift: Annotated[str | None, typer.Option("--shift", help='Fit a shift of the measured clock too, within this limit: "20 ns".')] = None,
-    scale: Annotated[str | None, typer.Option("--scale", help='Fit a scale error of the records too, within this limit: "2 %".')] = None,
+    window: Annotated[list[str] | None, typer.Option("--window", help='Range of times used, such as "0.5..2 us", or for one file '
+        '"FILE = 0.5..2 us"; repeatable.')] = None,
+    shift: Annotated[str | None, typer.Option("--shift", help='Also fit a time shift of the records within this limit, such as "20 '
+        'ns".')] = None,
+    scale: Annotated[str | None, typer.Option("--scale", help='Also fit a scale factor of the records within this limit, such as "2 '
+        '%".')] = None,
     loss: Annotated[str, typer.Option("--loss", help="Loss function: linear, or soft_l1, huber or cauchy for data with "
                                                      "outliers.")] = "linear",
-    starts: Annotated[int, typer.Option("--starts", help="Number of searches, from different starting points.")] = 2,
-    seed: Annotated[int, typer.Option("--seed", help="Seed of the sampled starting points.")] = 0,
-    profile: Annotated[bool, typer.Option("--profile", help="Also find the 95 % limits by profile likelihood.")] = False,
-    local: Annotated[bool, typer.Option("--local", help="Do not search the whole ranges if no starting point leads to a match.")] = False,
-    posterior: Annotated[str | None, typer.Option("--posterior", help="Sample the posterior: surrogate, or runs.")] = None,
-    posterior_runs: Annotated[int | None, typer.Option("--posterior-runs", help="Runs for the posterior.")] = None,
-    workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
+    starts: Annotated[int, typer.Option("--starts", help="Number of searches from different starting points.")] = 2,
+    seed: Annotated[int, typer.Option("--seed", help="Seed of the random starting points.")] = 0,
+    profile: Annotated[bool, typer.Option("--profile", help="Also find 95 % limits of each constant by profile likelihood.")] = False,
+    local: Annotated[bool, typer.Option("--local", help="Do not search the whole ranges if no search leads to a match.")] = False,
+    posterior: Annotated[str | None, typer.Option("--posterior", help="Sample the posterior distribution with a surrogate model "
+        "(surrogate) or with runs (runs).")] = None,
+    posterior_runs: Annotated[int | None, typer.Option("--posterior-runs", help="Number of runs for the posterior distribution.")] = None,
+    workers: Annotated[int | None, typer.Option("--workers", "-w", help="Number of worker processes (default: one per processor).")] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder to write (default: DECK.fit).")] = None,
-    plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as fit.png.")] = None,
+    plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write (.png, .pdf, .svg).")] = None,
     materials: MATERIALS = None,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show no progress.")] = False,
     as_json: JSON = False,
 ) -> None:
     """Find constants of a deck so that its runs agree with measured records, with intervals and correlations.
 
-    Data are columns with units in their headers, such as time [us], velocity [m/s], and velocity sigma [m/s] for the uncertainty;
-    pressure [GPa], distance [mm] is the Pop plot of the deck's explosive. The folder DECK.fit receives fitted.toml (the deck with the
-    values found, ready to run), fit.json, residuals.csv and report.html.
-    A record that the model cannot match is reported as such: read the notes before using a value.
+    A record is a CSV file whose columns have units in their headers, such as time [us], velocity [m/s] and, for the uncertainty, velocity
+    sigma [m/s]. Columns pressure [GPa], distance [mm] are a Pop plot (run distance to detonation
+    against input pressure) of the deck's explosive.
+
+    The folder DECK.fit receives fitted.toml (the deck with the fitted values, ready to run), fit.json, residuals.csv and report.html. A
+    record that the model cannot match is reported: read the notes before you use a value.
 
     Example: hugoniot fit spall.toml --to visar.csv --free "material.ta.fracture.strength = 1..8 GPa" --shift "20 ns"
     """

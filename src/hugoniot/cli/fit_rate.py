@@ -10,24 +10,30 @@ from hugoniot.errors import DeckError, OutOfRange
 
 
 def command(
-    material: Annotated[str, typer.Argument(help='The explosive to start from: "PBX-9404 reactive", a set (G014), or your own.')],
-    to: Annotated[str, typer.Option("--to", help="Explosive of the library whose measured line is fitted, or its row (R001).")] = "",
-    line: Annotated[str, typer.Option("--line", help='Your own line instead: "a, b" of log10(p/GPa) = a + b log10(x/mm).')] = "",
-    adjust: Annotated[str, typer.Option("--adjust", help="Constants of the burn law to change.")] = "g1, y",
-    start: Annotated[str, typer.Option("--start", help='Constants to set before the search, in SI: "y = 2.5, g1 = 8e-19, g2 = 0".')] = "",
-    pressures: Annotated[str, typer.Option("--pressures", "-p", help='Input pressures: "3..15 GPa", or "8, 11, 15 GPa".')] = "3..15 GPa",
-    points: Annotated[int, typer.Option("--points", min=2, max=50, help="Number of runs over a range, spaced logarithmically in "
-                                                                        "pressure.")] = 5,
-    zones: Annotated[int, typer.Option("--zones", min=50, max=5000, help="Zones per run distance during the search.")] = 200,
+    material: Annotated[str, typer.Argument(help='Explosive to start from: a name such as "PBX-9404 reactive", a row of the library '
+        '(G014), or a TOML file.')],
+    to: Annotated[str, typer.Option("--to", help="Explosive of the library whose measured line is fitted, or the id of a line, such "
+        "as R001 (default: MATERIAL).")] = "",
+    line: Annotated[str, typer.Option("--line", help='Line to fit instead of a measured one: "a, b" of log10(p/GPa) = a + b '
+        'log10(x/mm), with run distance x.')] = "",
+    adjust: Annotated[str, typer.Option("--adjust", help="Constants of the burn law to fit.")] = "g1, y",
+    start: Annotated[str, typer.Option("--start", help='Constants to set before the search, in SI, such as "y = 2.5, g1 = 8e-19, g2 '
+        '= 0".')] = "",
+    pressures: Annotated[str, typer.Option("--pressures", "-p", help='Input pressures: a range, "3..15 GPa", or values, "8, 11, 15 '
+        'GPa".')] = "3..15 GPa",
+    points: Annotated[int, typer.Option("--points", min=2, max=50, help="Number of runs in a range, spaced logarithmically in "
+        "pressure.")] = 5,
+    zones: Annotated[int, typer.Option("--zones", min=50, max=5000, help="Number of zones per run distance during the search.")] = 200,
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Number of runs at the same time.")] = 1,
-    out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder for fit.json, residuals.csv and report.html.")] = None,
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder to write fit.json, residuals.csv and report.html to "
+        "(default: none).")] = None,
     materials: MATERIALS = None, as_json: JSON = False,
 ) -> None:
-    """Calibrate a few constants of a burn law to a measured Pop plot.
+    """Fit a few constants of a burn law to a measured Pop plot.
 
-    All other constants and both equations of state are kept. This is `hugoniot fit` with a Pop plot as its record: the same search, with
-    standard deviations, intervals and notes, and with --out the same files. At the end every run is repeated with zones half the size, and
-    the table of the burn law is printed for a deck. This takes a few minutes.
+    All other constants and both equations of state are kept. The search, its standard deviations, intervals and notes are those of
+    hugoniot fit. At the end every run is repeated with zones of half the width, and the table of the burn law is printed for a deck. The
+    command takes a few minutes.
 
     Example: hugoniot fit-rate "PBX-9502 reactive" --adjust "g2, z" --pressures "10..15 GPa"
     """

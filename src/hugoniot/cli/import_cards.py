@@ -17,15 +17,17 @@ LARGEST = 20_000_000     # bytes of a file that is read
 
 def command(
     file: Annotated[Path, typer.Argument(help="Deck of pyKO (.yml), deck of KO (.in), or LS-DYNA keyword file of one material.")],
-    units: Annotated[str | None, typer.Option(help='LS-DYNA: units of mass, length and time: "g cm us", "tonne mm s".')] = None,
-    name: Annotated[str, typer.Option(help="LS-DYNA: name of the material in the deck.")] = "imported",
-    density: Annotated[str | None, typer.Option(help='LS-DYNA, where no MAT card gives it: "7.85 g/cm^3".')] = None,
-    out: Annotated[Path | None, typer.Option("--out", "-o", help="File to write (default: print it).")] = None,
+    units: Annotated[str | None, typer.Option(help='LS-DYNA, required: units of mass, length and time, such as "g cm us" or "tonne '
+        'mm s".')] = None,
+    name: Annotated[str, typer.Option(help="LS-DYNA: name of the material table, [material.NAME].")] = "imported",
+    density: Annotated[str | None, typer.Option(help='LS-DYNA, if no *MAT card gives it: density, such as "7.85 g/cm^3".')] = None,
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="File to write (default: print the result).")] = None,
 ) -> None:
-    """Convert a pyKO (.yml, .yaml) or KO (.in) deck into one ready to run, or LS-DYNA cards into a material table.
+    """Convert a deck of pyKO or KO into a deck, or LS-DYNA cards into a material table.
 
-    Decks of pyKO and KO are converted to SI, with the integrator, viscosity and time step of those codes. LS-DYNA: *EOS_GRUNEISEN
-    or *EOS_JWL, with *MAT_JOHNSON_COOK, *MAT_HIGH_EXPLOSIVE_BURN (its density only) or --density; checked as a deck would be.
+    Decks of the one-dimensional hydrocodes pyKO (.yml, .yaml) and KO (.in) are converted to SI, with the integrator, viscosity and time
+    step of those codes. LS-DYNA cards may be *EOS_GRUNEISEN or *EOS_JWL, with *MAT_JOHNSON_COOK, *MAT_HIGH_EXPLOSIVE_BURN (only its
+    density is used) or --density.
 
     Example: hugoniot import impact.yml --out impact.toml
 

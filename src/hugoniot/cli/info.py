@@ -15,16 +15,16 @@ MOST_EVENTS = 40
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
     events: Annotated[bool, typer.Option(
-        "--events", help="List the events: voids opened or closed, interfaces separated, warnings.")] = False,
-    deck: Annotated[bool, typer.Option("--deck", help="Print the deck that ran, every default written out.")] = False,
-    verify: Annotated[bool, typer.Option("--verify", help="Compare every file with the checksums of the run.")] = False,
+        "--events", help="List the events, such as voids opened or closed and interfaces separated.")] = False,
+    deck: Annotated[bool, typer.Option("--deck", help="Print the deck of the run with every default written out.")] = False,
+    verify: Annotated[bool, typer.Option("--verify", help="Check every file against the checksums that the run wrote.")] = False,
     as_json: JSON = False,
 ) -> None:
-    """Summarise a run: status, errors, gauges, spall reading, events.
+    """Print a summary of a run: status, conservation errors, gauges, estimate of the spall strength.
 
     Example: hugoniot info flyer.run --events
 
-    With --verify: whether every file is as the run left it; exit code 4 if one is not.
+    With --verify the exit code is 4 if a file is missing or has changed since the run.
     """
     if verify:
         _verify(folder, as_json)

@@ -13,11 +13,13 @@ from hugoniot.problem import catalogue
 
 
 def command(
-    problem: Annotated[str, typer.Argument(help="Name of the problem; without one the problems are listed.")] = "",
+    problem: Annotated[str, typer.Argument(help="Name of the problem; without it the command lists all problems.")] = "",
     out: Annotated[Path | None, typer.Option("--out", "-o", help="File to write (default: PROBLEM.toml).")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace the file if it exists.")] = False,
-    schema: Annotated[bool, typer.Option("--schema", help="Write the JSON Schema of decks instead: deck.schema.json.")] = False,
-    solver: Annotated[str, typer.Option("--solver", help="With --schema: the solver whose decks it describes (default: lagrange1d).")] = "",
+    schema: Annotated[bool, typer.Option("--schema", help="Write the JSON Schema of decks for text editors instead, by default to "
+        "deck.schema.json.")] = False,
+    solver: Annotated[str, typer.Option("--solver", help="With --schema: the solver whose decks the schema describes (default: "
+        "lagrange1d).")] = "",
 ) -> None:
     """Write a commented deck for a common problem.
 

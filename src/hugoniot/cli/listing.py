@@ -12,26 +12,28 @@ KINDS = {
     "eos": "equations of state, [material.NAME.eos] law = ...",
     "strength": "strength laws, [material.NAME.strength] law = ...",
     "fracture": "fracture laws, [material.NAME.fracture] law = ...",
-    "viscosity": "artificial viscosities, [solver.viscosity] law = ...",
-    "transport": "physical shear viscosities, [solver.transport] viscosity = {law = ...}",
-    "conduction": "heat conductivities, [solver.transport] conduction = {law = ...}",
+    "viscosity": "laws of artificial viscosity, [solver.viscosity] law = ...",
+    "transport": "laws of shear viscosity, [solver.transport] viscosity = {law = ...}",
+    "conduction": "laws of heat conduction, [solver.transport] conduction = {law = ...}",
     "burn": "burn laws of explosives, [material.NAME.burn] law = ...",
-    "mixture": "closures of reactants and products, [material.NAME] mixture = ...",
+    "mixture": "mixtures of reactants and products, [material.NAME] mixture = ...",
     "exact": "exact solutions, hugoniot exact NAME",
     "materials": "materials of the library, material = ...",
     "fields": "fields of snapshots, gauges and plots",
     "problems": "decks that hugoniot init writes",
     "solvers": "solvers, [solver] kind = ...",
-    "schema": "JSON Schema of decks, for editors",
+    "schema": "JSON Schema of decks, for text editors",
 }
 
 
 def command(
     kind: Annotated[str, typer.Argument(help=f"What to list: {', '.join(KINDS)}.")] = "",
-    name: Annotated[str, typer.Argument(help="One law, to see its parameters.")] = "",
+    name: Annotated[str, typer.Argument(help="Name of a law, whose parameters are then listed.")] = "",
     as_json: JSON = False,
 ) -> None:
-    """List what a deck can use, one line each with its source; with the name of a law, list its parameters.
+    """List laws, materials, fields, problems and solvers, with their sources.
+
+    With the name of a law, its parameters are listed. Without arguments the command says what can be listed.
 
     Example: hugoniot list eos mie_gruneisen
     """

@@ -15,6 +15,7 @@ from types import ModuleType
 from typing import Annotated
 
 import typer
+from typer.core import TyperCommand
 
 from hugoniot.errors import HugoniotError
 
@@ -23,24 +24,24 @@ COMMANDS: dict[str, str] = {
     "init": "Write a commented deck for a common problem.",
     "check": "Report all errors and warnings in a deck.",
     "run": "Run a deck and write its run folder.",
-    "resume": "Continue an interrupted run, bit for bit.",
-    "info": "Summarise a run.",
+    "resume": "Continue an interrupted run from its last checkpoint.",
+    "info": "Print a summary of a run.",
     "plot": "Draw a picture of a run.",
     "animate": "Write a film of a two-dimensional run.",
     "compare": "Compare two runs, or a run and measured data.",
-    "report": "Write the report of a run again.",
+    "report": "Write report.html of a run again.",
     "sweep": "Run a deck many times with some of its keys varied.",
     "fit": "Find constants of a deck from measured records.",
     "verify": "Run the built-in verification problems.",
     "material": "Search and show the materials library.",
-    "import": "Convert decks of pyKO and KO into decks of this program, and LS-DYNA cards into a material table.",
-    "eos": "Hugoniots, isentropes and impedance matches without a mesh.",
-    "exact": "Exact solutions: Riemann, Noh, Sedov, Guderley, detonations and more.",
-    "pop-plot": "Run distance to detonation against input pressure.",
-    "fit-rate": "Calibrate burn-law constants to a measured Pop plot.",
-    "structure": "The inner structure of a shock.",
+    "import": "Convert decks of pyKO and KO, and materials of LS-DYNA.",
+    "eos": "Hugoniots, isentropes, impedance matches, detonations.",
+    "exact": "Exact solutions, such as Noh, Sedov and Guderley.",
+    "pop-plot": "Compute the Pop plot of an explosive.",
+    "fit-rate": "Fit constants of a burn law to a measured Pop plot.",
+    "structure": "Resolve the inside of a shock.",
     "explore": "Explore materials, runs and decks in a browser.",
-    "list": "List what a deck can use: laws, materials, fields, problems, solvers.",
+    "list": "List laws, materials, fields, problems and solvers.",
 }
 
 
@@ -95,14 +96,38 @@ def module_of(name: str) -> ModuleType:
 
 
 COMPLETE = "_HUGONIOT_COMPLETE"
+VALUES = {"path": "PATH", "int": "NUMBER", "float": "NUMBER"}     # what a value of an option is called in the help; any other is a TEXT
+
+
+class Command(TyperCommand):
+    """A command whose help names values and arguments as manuals do (TEXT, DECK), not by the types of the program."""
+
+    def __init__(self, *arguments, **options):
+        super().__init__(*arguments, **options)
+        for parameter in self.params:
+            if parameter.param_type_name == "argument":
+                parameter.metavar = parameter.metavar or str(parameter.name).upper()
+                several = "..." if parameter.nargs != 1 else ""
+                shown = parameter.metavar + several if parameter.required else f"[{parameter.metavar}]{several}"
+                parameter._usage_display_name = lambda shown=shown: shown       # recent versions of typer write {DECK}
+                parameter.display_type_rich = lambda ctx: None                  # and DECK <path>
+            elif parameter.metavar is None and not getattr(parameter, "is_flag", False) and not getattr(parameter, "count", False):
+                parameter.metavar = _called_in_help(parameter)
+
+
+def _called_in_help(option) -> str:
+    """TEXT, PATH or NUMBER."""
+    kind = option.display_type(None) if hasattr(option, "display_type") else str(getattr(option.type, "name", ""))
+    return next((word for name, word in VALUES.items() if name in kind.lower()), "TEXT")
 
 
 def build_app(wanted: str | None) -> typer.Typer:
     """The application with the module of one command loaded and the others present by name only."""
     app = typer.Typer(
         name="hugoniot", no_args_is_help=True, add_completion=True, pretty_exceptions_enable=False, rich_markup_mode=None,
-        help="A shock-physics workbench. First steps: hugoniot init flyer, then hugoniot run flyer.toml",
-        epilog="Each command has --help with an example.", context_settings={"help_option_names": ["-h", "--help"]})
+        help="A shock-physics workbench: simulations, equations of state, materials and exact solutions.\n\nFirst steps: hugoniot "
+        "init flyer, then hugoniot run flyer.toml. The input file flyer.toml is called a deck.",
+        epilog="hugoniot COMMAND --help explains a command, with an example.", context_settings={"help_option_names": ["-h", "--help"]})
     app.callback()(_options)
     for name, line in COMMANDS.items():
         if name == wanted:
@@ -119,12 +144,13 @@ def _only_listed() -> None:
 def _mount(app: typer.Typer, name: str, module, line: str) -> None:
     if not hasattr(module, "app"):
         function = getattr(module, "command", None) or getattr(module, name)
-        app.command(name, help=(function.__doc__ or line).strip(), short_help=line)(guarded(function))
+        app.command(name, cls=Command, help=(function.__doc__ or line).strip(), short_help=line)(guarded(function))
         return
     sub: typer.Typer = module.app
     for info in sub.registered_commands:
         plain = getattr(info.callback, "__wrapped__", info.callback)    # an application may be built again in the same process
         info.callback = guarded(plain)  # type: ignore[arg-type]
+        info.cls = Command
     sub.info.rich_markup_mode = None  # type: ignore[attr-defined]
     app.add_typer(sub, name=name, short_help=line)
 

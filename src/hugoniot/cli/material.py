@@ -8,18 +8,22 @@ import typer
 from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
 from hugoniot.errors import DeckError
 
-app = typer.Typer(no_args_is_help=True, help="Search and show the materials library, every number with its source.",
+app = typer.Typer(no_args_is_help=True, help="Search and show the materials library, in which every number has its source.\n\nA "
+        "material is assembled from rows of data tables. A row has an id, such as U007, and can be shown by itself.",
                   epilog="Example: hugoniot material show copper", context_settings={"help_option_names": ["-h", "--help"]})
 SHOWN = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m^3"), "1/Pa": (1e-9, "1/GPa")}
 
 
 @app.command("list")
 def list_materials(
-    category: Annotated[str, typer.Argument(help="Only this category, such as metal, polymer, rock, gas, explosive.")] = "",
-    everything: Annotated[bool, typer.Option("--all", help="Also rows of the tables that have not been curated.")] = False,
-    summary: Annotated[bool, typer.Option("--summary", help="Only totals: materials, rows, rows unverified against print.")] = False,
-    counts: Annotated[bool, typer.Option("--counts", help="Only counts: materials by kind, rows by source and by what they have.")] = False,
-    gamma_law: Annotated[bool, typer.Option("--gamma-law", help="Explosives as gamma-law gases (density, Q, gamma), derived.")] = False,
+    category: Annotated[str, typer.Argument(help="List only this category, such as metal, polymer, rock, gas or explosive.")] = "",
+    everything: Annotated[bool, typer.Option("--all", help="Also list rows that no material of the library uses.")] = False,
+    summary: Annotated[bool, typer.Option("--summary", help="Print only totals, such as the number of rows not checked against the "
+        "printed source.")] = False,
+    counts: Annotated[bool, typer.Option("--counts", help="Print only counts of materials by category and of rows by source and "
+        "content.")] = False,
+    gamma_law: Annotated[bool, typer.Option("--gamma-law", help="List explosives as ideal gases: density, heat of reaction Q and "
+        "gamma, derived from their data.")] = False,
     materials: MATERIALS = None,
     as_json: JSON = False,
 ) -> None:
@@ -52,10 +56,10 @@ def list_materials(
 
 @app.command()
 def search(
-    text: Annotated[str, typer.Argument(help="Part of a name, an alias, a category, or the id of a row.")],
+    text: Annotated[str, typer.Argument(help="Part of a name or alias, a category, or the id of a row.")],
     as_json: JSON = False,
 ) -> None:
-    """Search curated materials and every row of the tables.
+    """Search materials and rows of the tables.
 
     Example: hugoniot material search "stainless 304"
     """
@@ -74,11 +78,13 @@ def search(
 
 @app.command()
 def show(
-    name: Annotated[str, typer.Argument(help="A name, an alias (Cu, al6061, plexiglas) or the id of a row (U007).")],
+    name: Annotated[str, typer.Argument(help="Name, alias (Cu, al6061, plexiglas) or id of a row (U007).")],
     materials: MATERIALS = None,
     as_json: JSON = False,
 ) -> None:
-    """Show a material: constants with units and sources, warnings, what is missing, derived quantities.
+    """Show a material or a row with its sources.
+
+    Prints constants with units, warnings, what is missing, and derived quantities.
 
     Example: hugoniot material show copper
     """
@@ -100,13 +106,15 @@ def show(
 
 @app.command()
 def compare(
-    names: Annotated[list[str], typer.Argument(help="Two or more materials, or one to compare its sources.")],
+    names: Annotated[list[str], typer.Argument(help="Two or more materials, or one, whose sources are then compared.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="Picture to write (.png, .pdf, .svg).")] = Path("compare.png"),
     up_max: Annotated[str, typer.Option("--up", help="Highest particle velocity, such as \"3 km/s\".")] = "",
     materials: MATERIALS = None,
     as_json: JSON = False,
 ) -> None:
-    """Overlay Hugoniots in p-up and Us-up: several materials, or all sources of one, with measured states.
+    """Draw Hugoniots of materials or of sources.
+
+    The picture shows p-up and Us-up curves of several materials, or of all sources of one, with measured states.
 
     Example: hugoniot material compare iron -o iron.png
     """
@@ -138,11 +146,12 @@ def compare(
 @app.command()
 def check(
     files: Annotated[list[Path] | None, typer.Argument(help="Files or folders of your own materials.", readable=False)] = None,
-    everything: Annotated[bool, typer.Option("--all", help="Every row, measured state and material of the library.")] = False,
-    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="All remarks, not only discrepancies found by computation.")] = False,
+    everything: Annotated[bool, typer.Option("--all", help="Check every row, measured state and material of the library.")] = False,
+    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Print all remarks, not only discrepancies found by "
+        "computation.")] = False,
     as_json: JSON = False,
 ) -> None:
-    """Check material files, or the whole library, by the same rules.
+    """Check material files, or the whole library.
 
     Example: hugoniot material check my_materials.toml
     """

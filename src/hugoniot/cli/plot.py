@@ -19,21 +19,40 @@ SUFFIXES = (".png", ".pdf", ".svg")
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
     kind: Annotated[str, typer.Argument(
-        help="Picture: xt, map, gauge, pi_plane, free_surface, profile, peaks, budget, errors or setup.")] = "",
-    field: Annotated[str, typer.Argument(help="Field of an xt, map, gauge, profile or peaks picture, such as pressure.")] = "",
-    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge to show in a gauge, pi_plane or free_surface picture.")] = None,
-    time: Annotated[str | None, typer.Option("--time", help="Time of a map or profile, such as \"1.2 us\" (default: the last).")] = None,
-    delay: Annotated[str | None, typer.Option("--delay", help="Show the free surface as a VISAR with this delay would record it.")] = None,
+        help="Picture, one of those above (default: xt, or map in two dimensions).")] = "",
+    field: Annotated[str, typer.Argument(help="Field to show in xt, map, gauge, profile or peaks, such as pressure (hugoniot list "
+        "fields).")] = "",
+    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge to show in gauge, pi_plane or free_surface.")] = None,
+    time: Annotated[str | None, typer.Option("--time", help="Time of map or profile, such as \"1.2 us\" (default: the last "
+        "snapshot).")] = None,
+    delay: Annotated[str | None, typer.Option("--delay", help="In free_surface: show the record of a VISAR with this delay, such as "
+        "\"2 ns\".")] = None,
     x: Annotated[str | None, typer.Option(
-        "--x", help="Positions to show in an xt, map, profile, peaks or setup picture: \"0..5 mm\".")] = None,
-    t: Annotated[str | None, typer.Option("--t", help="Times to show in a picture with a time axis, or in a pi_plane picture.")] = None,
+        "--x", help="Range of positions to show in xt, map, profile, peaks or setup, such as \"0..5 mm\".")] = None,
+    t: Annotated[str | None, typer.Option("--t", help="Range of times to show in xt, gauge, pi_plane, free_surface, budget or "
+        "errors, such as \"0..2 us\".")] = None,
     shown: Annotated[str | None, typer.Option(
-        "--range", help="Values to show, such as \"-1..6 GPa\"; colours of an xt picture or map.")] = None,
-    line: Annotated[str | None, typer.Option("--line", help="Line of a profile in two dimensions: \"0 mm, 0 mm .. 0 mm, 30 mm\".")] = None,
-    layers: Annotated[str | None, typer.Option("--layers", help="In a map: \"mesh\", \"no mesh\", \"contours\", \"one half\".")] = None,
-    out: Annotated[Path | None, typer.Option("--out", "-o", help="File: .png, .pdf or .svg (default: in the run folder).")] = None,
+        "--range", help="Range of values on the axis, or of the colours in xt and map, such as \"-1..6 GPa\".")] = None,
+    line: Annotated[str | None, typer.Option("--line", help="In profile, two dimensions: from one point to another, such as \"0 mm, "
+        "0 mm .. 0 mm, 30 mm\".")] = None,
+    layers: Annotated[str | None, typer.Option("--layers", help="In map: one or more of \"mesh\", \"no mesh\", \"contours\", \"one "
+        "half\", separated by commas.")] = None,
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="File to write, .png, .pdf or .svg (default: a .png in the run "
+        "folder).")] = None,
 ) -> None:
     """Draw a picture of a run: by default its wave diagram or, in two dimensions, a map of the pressure.
+
+    \b
+    xt            wave diagram: a field over position and time (one dimension)
+    map           a field over the plane at one time (two dimensions)
+    profile       a field over position, or along a line, at one time
+    gauge         a field at the gauges over time
+    free_surface  free-surface velocity with its pull-back (one dimension)
+    pi_plane      stress deviators at the gauges, with the yield surface
+    peaks         extreme value in each zone (one dimension)
+    budget        parts of the energy over time
+    errors        errors of mass, momentum and energy over time
+    setup         the bodies at t = 0, to scale
 
     Examples: hugoniot plot flyer.run xt pressure --out wave.png; hugoniot plot taylor.run map plastic_strain --time "40 us"
     """

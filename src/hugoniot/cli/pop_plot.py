@@ -15,21 +15,27 @@ COLUMNS = {"pressure": "Pa", "piston_velocity": "m/s", "shock_velocity": "m/s", 
 
 
 def command(
-    material: Annotated[str, typer.Argument(help='An explosive with a reaction rate: "LX-17 reactive", a set of the library (G014), or '
-                                                 'your own TOML file.')],
-    pressures: Annotated[str, typer.Option("--pressures", "-p", help='Input pressures: "3..15 GPa", or "8, 11, 15 GPa".')] = "3..15 GPa",
-    points: Annotated[int, typer.Option("--points", min=2, max=200, help="Number of runs over a range, spaced logarithmically in "
-                                                                         "pressure.")] = 6,
-    zone_size: Annotated[str, typer.Option("--zone-size", help="Size of the zones.")] = "20 um",
-    longest: Annotated[str, typer.Option("--longest", help="Longest charge tried.")] = "60 mm",
-    mixture: Annotated[str, typer.Option("--mixture", help="Closure of reactants and products, instead of the material's.")] = "",
-    published: Annotated[str, typer.Option("--published", help="Explosive whose measured line the runs are compared with.")] = "",
+    material: Annotated[str, typer.Argument(help='Explosive with a reaction rate: a name such as "LX-17 reactive", a row of the '
+        'library (G014), or a TOML file.')],
+    pressures: Annotated[str, typer.Option("--pressures", "-p", help='Input pressures: a range, "3..15 GPa", or values, "8, 11, 15 '
+        'GPa".')] = "3..15 GPa",
+    points: Annotated[int, typer.Option("--points", min=2, max=200, help="Number of runs in a range, spaced logarithmically in "
+        "pressure.")] = 6,
+    zone_size: Annotated[str, typer.Option("--zone-size", help="Width of the zones.")] = "20 um",
+    longest: Annotated[str, typer.Option("--longest", help="Length of the longest charge that is tried.")] = "60 mm",
+    mixture: Annotated[str, typer.Option("--mixture", help="How reactants and products share a zone, instead of the choice of the "
+        "material (hugoniot list mixture).")] = "",
+    published: Annotated[str, typer.Option("--published", help="Explosive of the library whose measured line is the comparison "
+        "(default: MATERIAL).")] = "",
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Number of runs at the same time.")] = 1,
     materials: MATERIALS = None, as_json: JSON = False,
     as_csv: Annotated[Path | None, typer.Option("--csv", help="Write the numbers, in SI, to this file.")] = None,
     plot: Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")] = None,
 ) -> None:
-    """Run distance and time to detonation against input pressure, the fitted line and the measured one.
+    """Compute the Pop plot of an explosive: run distance and time to detonation against input pressure.
+
+    Each point is a simulation in which a piston drives a shock into the explosive. A line is fitted to the points and compared with the
+    measured one.
 
     Example: hugoniot pop-plot "LX-17 reactive" --pressures "10..15 GPa" --points 4 --plot pop.png
     """

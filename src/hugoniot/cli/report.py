@@ -9,7 +9,7 @@ from hugoniot.cli.show import JSON, echo_json
 
 
 def command(folder: Annotated[Path, typer.Argument(help="The run folder.")], as_json: JSON = False) -> None:
-    """Write report.html of a run again: one file, no network needed.
+    """Write report.html of a run again, a single file that needs no network.
 
     Example: hugoniot report flyer.run
     """

@@ -12,7 +12,8 @@ from hugoniot.cli.show import JSON, echo_json
 
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
-    restore_deck: Annotated[bool, typer.Option("--restore-deck", help="Restore the deck kept with the checkpoints first.")] = False,
+    restore_deck: Annotated[bool, typer.Option("--restore-deck", help="First restore deck.toml of the folder from the copy kept "
+        "with the checkpoints.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show no progress.")] = False,
     as_json: JSON = False,
 ) -> None:

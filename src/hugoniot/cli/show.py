@@ -14,11 +14,11 @@ from hugoniot.errors import DeckError
 from hugoniot.materials.collect import printable
 from hugoniot.units import UnitError, parse
 
-SET = Annotated[list[str] | None, typer.Option("--set", help="KEY=VALUE to change in the deck; repeatable.")]
+SET = Annotated[list[str] | None, typer.Option("--set", help="Change a key of the deck, such as stop_time=\"3 us\"; repeatable.")]
 # where a file cannot be read its reader says so, with the exit code of files
 MATERIALS = Annotated[list[Path] | None, typer.Option("--materials", "-m", readable=False,
-                                                      help="File or folder with your own materials; repeatable.")]
-JSON = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+                                                      help="File or folder with your own materials, in TOML; repeatable.")]
+JSON = Annotated[bool, typer.Option("--json", help="Print the result as JSON.")]
 
 
 def echo_json(value: Any) -> None:

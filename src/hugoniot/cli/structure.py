@@ -11,23 +11,24 @@ from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.files import toml_tables
 
 app = typer.Typer(no_args_is_help=True, help=(
-    "Thickness, profile and entropy of a shock resolved by viscosity and heat conduction, without time steps.\n\n"
-    "WHAT is a deck with solver kind \"shock_structure\", a case of Jordan 2011 (argon-jordan, water_387, water_858, silica_100, "
-    "silica_250, silica_770), or a material of the library with --viscosity.\n\n"
+    "Compute the steady inside of a shock, which viscosity and heat conduction resolve, without time steps.\n\n"
+    "WHAT is a deck of the solver shock_structure, a case of Jordan (2011), or a material of the library (then give --viscosity). "
+        "The cases are argon-jordan, water_387, water_858, silica_100, silica_250 and silica_770.\n\n"
     "Example: hugoniot structure profile argon-jordan --mach 9 --plot mach9.png"))
 
-WHAT = Annotated[str, typer.Argument(metavar="WHAT", help="A deck, a case of Jordan 2011, or a material of the library.")]
+WHAT = Annotated[str, typer.Argument(metavar="WHAT", help="A deck, a case of Jordan (2011), or a material of the library.")]
 VISCOSITY = Annotated[str | None, typer.Option(
-    "--viscosity", help='Shear viscosity, such as "22.7 uPa s", the name of a law for argon-jordan, or a table {law = "power_law", ...}.')]
-CONDUCTION = Annotated[str | None, typer.Option("--conduction", help='Heat conductivity, such as "0.02 W/m/K", or a table {law = ...}.')]
-PRANDTL = Annotated[float | None, typer.Option("--prandtl", help="Prandtl number, instead of --conduction.")]
+    "--viscosity", help='Shear viscosity, such as "22.7 uPa s", a table {law = "power_law", ...}, or for argon-jordan the name of a law.')]
+CONDUCTION = Annotated[str | None, typer.Option("--conduction", help='Thermal conductivity, such as "0.02 W/m/K", or a table {law = ...}.')]
+PRANDTL = Annotated[float | None, typer.Option("--prandtl", help="Prandtl number, from which the conductivity follows, instead of "
+        "--conduction.")]
 BULK = Annotated[float | None, typer.Option("--bulk-ratio", help="Ratio of bulk to shear viscosity.")]
-DENSITY = Annotated[str | None, typer.Option("--density", help='Density ahead, such as "1.62 kg/m^3".')]
-TEMPERATURE = Annotated[str | None, typer.Option("--temperature", help='Temperature ahead, such as "300 K".')]
-PRESSURE = Annotated[str | None, typer.Option("--pressure", help='Pressure ahead, such as "1 bar".')]
-UNIT = Annotated[str, typer.Option("--mean-free-path", help="Definition of the mean free path: bsl, chapman_enskog, viscous, vhs.")]
-BENT = Annotated[bool, typer.Option("--bent", help="For the water and silica cases of Jordan 2011: use the Grüneisen parameter adjusted "
-                                                   "to fit the jump.")]
+DENSITY = Annotated[str | None, typer.Option("--density", help='Density ahead of the shock, such as "1.62 kg/m^3".')]
+TEMPERATURE = Annotated[str | None, typer.Option("--temperature", help='Temperature ahead of the shock, such as "300 K".')]
+PRESSURE = Annotated[str | None, typer.Option("--pressure", help='Pressure ahead of the shock, such as "1 bar".')]
+UNIT = Annotated[str, typer.Option("--mean-free-path", help="Definition of the mean free path: bsl, chapman_enskog, viscous or vhs.")]
+BENT = Annotated[bool, typer.Option("--bent", help="Water and silica cases: use the Grüneisen parameter that was adjusted to fit "
+        "the jump.")]
 CSV = Annotated[Path | None, typer.Option("--csv", help="Write the numbers, in SI, to this file.")]
 PLOT = Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")]
 
@@ -40,10 +41,13 @@ def profile(
     shock_velocity: Annotated[str | None, typer.Option("--shock-velocity", help='Speed of the shock, such as "3 km/s".')] = None,
     viscosity: VISCOSITY = None, conduction: CONDUCTION = None, prandtl: PRANDTL = None, bulk_ratio: BULK = None,
     density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None, bent: BENT = False,
-    points: Annotated[int, typer.Option("--points", min=2, max=100000, help="Number of points of --csv and the profile in --json.")] = 201,
+    points: Annotated[int, typer.Option("--points", min=2, max=100000, help="Number of points of the profile in --csv and --json.")] = 201,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """One shock: thickness, widths, entropy and its production, end states.
+    """Compute the profile of one shock.
+
+    Prints its thickness, widths, entropy, entropy production and end states. Give one of --mach, --particle-velocity and
+    --shock-velocity, unless the deck or case has a strength of its own.
 
     Example: hugoniot structure profile water_858 --json
     """
@@ -84,7 +88,9 @@ def sweep(
     density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None, unit: UNIT = "chapman_enskog",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """Reciprocal thickness against Mach number: mean free path over thickness for a gas, in 1/nm for anything else.
+    """Compute shock thickness over Mach number.
+
+    Prints the reciprocal thickness: for a gas the mean free path divided by the thickness, for anything else in 1/nm.
 
     Example: hugoniot structure sweep argon-jordan --plot thickness.png
     """
@@ -121,7 +127,9 @@ def sweep(
 
 @app.command()
 def jordan(as_json: JSON = False) -> None:
-    """The tables of Jordan 2011 for argon, water and silica: the printed values beside those that the equations give.
+    """Print the tables of Jordan (2011).
+
+    They are for argon, water and silica; the printed values stand beside those that the equations give.
 
     Example: hugoniot structure jordan
     """

@@ -13,27 +13,37 @@ MOST_ROWS = 30
 MOST_COLUMNS = 5
 SECONDS_BETWEEN_LINES = 5.0
 
-_VARY = 'What varies, such as "region.flyer.velocity = 300..1200 m/s : 10"; repeatable.'
+_VARY = 'Key to vary and its values, as described above; repeatable.'
 
 
 def command(
-    deck: Annotated[Path | None, typer.Argument(help="The deck, or a file with a [sweep] table.", readable=False)] = None,
+    deck: Annotated[Path | None, typer.Argument(help="The deck, which may contain a table [sweep] instead of the options; not "
+        "needed with --match.", readable=False)] = None,
     vary: Annotated[list[str] | None, typer.Option("--vary", "-v", help=_VARY)] = None,
-    tie: Annotated[list[str] | None, typer.Option("--tie", help='Key tied to others: "region.target.from = region.flyer.to".')] = None,
-    design: Annotated[str, typer.Option("--design", help="grid, sobol, lhs, saltelli, morris, or a table of cases (.csv).")] = "grid",
-    samples: Annotated[int | None, typer.Option("--samples", "-n", help="Number of cases (base cases for saltelli, morris).")] = None,
-    seed: Annotated[int, typer.Option("--seed", help="Seed of a sample.")] = 0,
-    match: Annotated[str | None, typer.Option("--match", help="Vary an impedance match instead: FLYER,TARGET[,...].")] = None,
-    output: Annotated[list[str] | None, typer.Option("--output", help='Results to tabulate, such as "*.arrival" (default: all).')] = None,
-    record: Annotated[list[str] | None, typer.Option("--record", help='Keep this record of every case: "free surface.velocity".')] = None,
-    uncertain: Annotated[str | None, typer.Option("--uncertain", help="library: vary constants within their uncertainties.")] = None,
+    tie: Annotated[list[str] | None, typer.Option("--tie", help='Key that follows from others, such as "region.target.from = '
+        'region.flyer.to"; repeatable.')] = None,
+    design: Annotated[str, typer.Option("--design", help="Choice of cases: grid, sobol, lhs, saltelli, morris, or a table of cases "
+        "(.csv).")] = "grid",
+    samples: Annotated[int | None, typer.Option("--samples", "-n", help="Number of cases of a random design; with saltelli and "
+        "morris, number of base cases.")] = None,
+    seed: Annotated[int, typer.Option("--seed", help="Seed of the random numbers of a design.")] = 0,
+    match: Annotated[str | None, typer.Option("--match", help="Vary an impedance match of these materials instead of a deck: "
+        "FLYER,TARGET[,...].")] = None,
+    output: Annotated[list[str] | None, typer.Option("--output", help='Results to tabulate, such as "*.arrival" (default: all); '
+        'repeatable.')] = None,
+    record: Annotated[list[str] | None, typer.Option("--record", help='Record to keep of every case, such as "free '
+        'surface.velocity"; repeatable.')] = None,
+    uncertain: Annotated[str | None, typer.Option("--uncertain", help="\"library\": vary constants of materials within their "
+        "uncertainties.")] = None,
     keep: Annotated[bool, typer.Option("--keep", help="Keep the run folder of every case.")] = False,
-    time_limit: Annotated[float | None, typer.Option("--time-limit", help="Longest wall time of a case, in seconds.")] = None,
-    workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
-    engine: Annotated[str, typer.Option("--engine", help="local, or dask for clusters.")] = "local",
-    scheduler: Annotated[str | None, typer.Option("--scheduler", help="Address of a Dask scheduler, such as tcp://10.0.0.1:8786.")] = None,
+    time_limit: Annotated[float | None, typer.Option("--time-limit", help="Wall-clock time in seconds after which a case is "
+        "stopped.")] = None,
+    workers: Annotated[int | None, typer.Option("--workers", "-w", help="Number of worker processes (default: one per processor).")] = None,
+    engine: Annotated[str, typer.Option("--engine", help="Where cases run: local (this machine) or dask (a cluster).")] = "local",
+    scheduler: Annotated[str | None, typer.Option("--scheduler", help="With dask: address of the scheduler, such as "
+        "tcp://10.0.0.1:8786.")] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder to write (default: DECK.sweep).")] = None,
-    plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as sweep.png.")] = None,
+    plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write (.png, .pdf, .svg).")] = None,
     materials: MATERIALS = None,
     report: Annotated[bool, typer.Option("--report/--no-report", help="Write report.html at the end.")] = True,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show no progress.")] = False,
@@ -41,21 +51,28 @@ def command(
 ) -> None:
     """Run a deck many times with some of its keys varied, and collect the results in one table.
 
-    Writes cases.csv, sweep.h5 (opens as netCDF, parameters as coordinates) and report.html into the folder DECK.sweep. Finished cases are
-    not run again: after an interruption, or with a larger --vary, the same command continues. The row of a case that fails gives
-    the reason.
+    The folder DECK.sweep receives cases.csv, sweep.h5 (a netCDF file, with the parameters as coordinates) and report.html. Finished cases
+    are not run again: the same command continues after an interruption, or extends a sweep whose values have been added to. A case that
+    fails has the reason in its row.
 
     \b
-    --vary takes   KEY = LOW..HIGH UNIT : COUNT      add "log" for logarithmic steps
-                   KEY = 1, 2, 5 GPa                 values
-                   KEY = "copper", "aluminum"        text values
-                   KEY = MEAN +- SIGMA UNIT          normal, for samples
+    --vary takes one of these forms:
+      KEY = LOW..HIGH UNIT : COUNT      values in equal steps
+      KEY = LOW..HIGH UNIT : COUNT log  values in equal ratios
+      KEY = 1, 2, 5 GPa                 the values listed
+      KEY = "copper", "aluminum"        the texts listed
+      KEY = MEAN +- SIGMA UNIT          normal distribution, for samples
 
-    --design saltelli gives Sobol' indices with intervals, morris a screening of many parameters; sobol, lhs and
-    saltelli give spreads and bands.
-    --uncertain library varies the constants of the library's materials by their uncertainties in the library (covariances of fits, or
-    the spread between sources), and draws bands at the gauges.
-    A name that is not a key of the deck can be varied too, for --tie to use.
+    \b
+    --design takes one of these names:
+      grid      all combinations of the values
+      sobol     quasi-random cases: spreads of the results
+      lhs       Latin hypercube: spreads of the results
+      saltelli  Sobol' sensitivity indices, with confidence intervals
+      morris    screening of many parameters
+
+    --uncertain library varies the constants of library materials by their uncertainties (covariances of fits, or the spread between
+    sources), and draws bands at the gauges. A name that is not a key of the deck can be varied too, for use in --tie.
 
     Example: hugoniot sweep flyer.toml --vary "region.flyer.velocity = 300..1200 m/s : 10"
     """

@@ -16,17 +16,17 @@ FEWEST_ZONES = 10
 
 def verify(
     problems: Annotated[list[str] | None, typer.Argument(help="Names of standard problems (default: all).")] = None,
-    zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="Number of zones, instead of the standard grids; "
-                                                                          "repeatable.")] = None,
-    integrator: Annotated[str, typer.Option(help="compatible or wilkins.")] = "compatible",
-    solver: Annotated[str, typer.Option(help='lagrange1d, or fronts (tracked fronts, mode = "cells").')] = "lagrange1d",
+    zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="Number of zones, instead of the standard meshes; "
+        "repeatable.")] = None,
+    integrator: Annotated[str, typer.Option(help="Integrator of lagrange1d: compatible or wilkins.")] = "compatible",
+    solver: Annotated[str, typer.Option(help='Solver: lagrange1d, or fronts with mode = "cells".')] = "lagrange1d",
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,
 ) -> None:
     """Run the built-in standard problems and print the errors, their limits, and the observed order of convergence.
 
-    The limits are the errors of the KO scheme and of a second-order Godunov scheme on the same grid (in two dimensions: of the best open
-    code), and the goal of this package. Problems in two dimensions, and those for tracked fronts alone, are left out if --zones
-    or --integrator is given, unless they are named.
+    Each error is compared with two limits: the goal of this package, and the error of other codes on the same mesh (in one dimension the
+    code KO and a second-order Godunov scheme, in two dimensions the best open code). With --zones or --integrator, problems in two
+    dimensions and problems for the solver fronts are run only if they are named.
 
     Example: hugoniot verify sod noh_planar
     """

@@ -17,14 +17,17 @@ from hugoniot.cli.show import JSON, quantity
 from hugoniot.errors import DeckError
 
 app = typer.Typer(no_args_is_help=True, help=(
-    "Hugoniots, isentropes, impedance matches and detonations without a mesh.\n\n"
-    "MATERIAL is a name of the library (hugoniot material list) or a TOML file with the tables of a deck's [material.x].\n\n"
+    "Compute Hugoniots, isentropes, impedance matches and detonations, without a simulation.\n\n"
+    "A material is given by its name in the library (hugoniot material list) or by a TOML file with the tables of a deck's "
+        "[material.NAME].\n\n"
     "Example: hugoniot eos match copper aluminum --velocity \"1 km/s\""))
 
 
 @app.command()
 def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None) -> None:
-    """The law, its parameters and its state at rest or, with --at, a state on the Hugoniot.
+    """Show a law, its parameters and a state.
+
+    The state is the reference state of the law or, with --at, a state on its Hugoniot.
 
     Example: hugoniot eos show copper --at "pressure = 10 GPa"
     """
@@ -36,19 +39,21 @@ def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV =
 @app.command()
 def hugoniot(
     materials: MATERIALS, at: AT = None, points: POINTS = 101,
-    up_to: Annotated[str | None, typer.Option("--up-to", help='Last particle velocity, such as "3 km/s".')] = None,
+    up_to: Annotated[str | None, typer.Option("--up-to", help='Particle velocity at which the curve ends, such as "3 km/s".')] = None,
     density: Annotated[str | None, typer.Option("--density", help='Initial density of a porous material, such as "5 g/cm^3".')] = None,
-    after: Annotated[str | None, typer.Option("--after", help="State behind a first shock, as in --at; the curve is that of a second "
-                                                              "shock.")] = None,
-    reaction: Annotated[bool, typer.Option("--reaction", help="Assume complete reaction: the detonation Hugoniot of the "
-                                                              "products.")] = False,
+    after: Annotated[str | None, typer.Option("--after", help="State behind a first shock, in the form of --at; the curve is then "
+        "that of a second shock.")] = None,
+    reaction: Annotated[bool, typer.Option("--reaction", help="Assume complete reaction behind the shock.")] = False,
     heat: HEAT = None,
-    data: Annotated[list[str] | None, typer.Option("--data", help="CSV file of measured up and us to draw in the picture, one per "
-                                                                  "material.")] = None,
-    kind: Annotated[str, typer.Option("--axes", help="Picture: p-up, us-up, p-v or t-p.")] = "p-up",
+    data: Annotated[list[str] | None, typer.Option("--data", help="CSV file of measured points (columns up and us) to draw in the "
+        "picture; repeatable, one per material.")] = None,
+    kind: Annotated[str, typer.Option("--axes", help="Axes of the picture: p-up, us-up, p-v or t-p.")] = "p-up",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """The Hugoniot, or one state of it: from rest, from a lower density (porous), from a first shock, or with reaction.
+    """Compute a Hugoniot, or one state of it.
+
+    It starts from the reference state, from a lower density (--density), or behind a first shock (--after). With --reaction it is the
+    detonation Hugoniot of the products.
 
     Example: hugoniot eos hugoniot copper aluminum --plot hugoniots.png
     """
@@ -61,14 +66,17 @@ def hugoniot(
 @app.command()
 def isentrope(
     materials: MATERIALS, at: AT = None, points: POINTS = 51,
-    to: Annotated[str | None, typer.Option("--to", help='Final pressure (default: "1 bar" for products; with --at the pressure at rest, '
-                                                        'or 0 for a solid; without --at, "10 GPa", or "100 bar" for a gas).')] = None,
+    to: Annotated[str | None, typer.Option("--to", help='Final pressure (default: with --at, 0 for a solid, "1 bar" for products, '
+        'and for others the pressure of the reference state; without --at, "10 GPa", or "100 bar" for a gas).')] = None,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """The isentrope through a state of the Hugoniot (--at) down to the pressure at rest, or from rest up to a pressure.
+    """Compute an isentrope or a release.
 
-    For detonation products the start is the CJ state unless --at says otherwise. Particle velocities are those behind a release
-    that runs back into the material, as below a free surface.
+    With --at the isentrope runs from that state of the Hugoniot down to the pressure of the reference state, without it from the
+    reference state up to a pressure.
+
+    For detonation products it starts at the CJ state unless --at gives another. Particle velocities are those behind a release wave
+    that runs back into the material, as from a free surface.
 
     Example: hugoniot eos isentrope copper --at "pressure = 50 GPa" --plot release.png
     """
@@ -79,20 +87,23 @@ def isentrope(
 
 @app.command()
 def match(
-    materials: Annotated[list[str], typer.Argument(metavar="FLYER TARGET...", help="Flyer first, then the layers in order.")],
+    materials: Annotated[list[str], typer.Argument(metavar="FLYER TARGET", help="Materials of the flyer and of the layers that "
+        "it hits, in order.")],
     velocity: Annotated[str, typer.Option("--velocity", help='Velocity of the flyer, such as "1 km/s".')],
-    error: Annotated[list[str] | None, typer.Option("--error", help='One standard deviation of an input: "velocity = 5 m/s" or '
-                                                                    '"copper.c0 = 20 m/s"; "library" for the covariance of the '
-                                                                    "library's own fits; repeatable.")] = None,
-    samples: Annotated[int, typer.Option("--samples", min=0, max=1000000, help="Monte Carlo samples instead of linear error bars.")] = 0,
-    ring_up: Annotated[int, typer.Option("--ring-up", min=0, max=1000, help="Number of further reverberations to give while the first "
-                                                                            "target rings up.")] = 0,
-    thickness: Annotated[list[str] | None, typer.Option("--thickness", help="Thickness of each layer, flyer first: follows all "
-                                                                            "waves to --until; --plot draws them.")] = None,
-    until: Annotated[str, typer.Option("--until", help='End time of the wave diagram, such as "2 us".')] = "1 us",
+    error: Annotated[list[str] | None, typer.Option("--error", help='Standard deviation of an input, such as "velocity = 5 m/s" or '
+        '"copper.c0 = 20 m/s", or "library" for the covariances of fits in the library; repeatable.')] = None,
+    samples: Annotated[int, typer.Option("--samples", min=0, max=1000000, help="Number of Monte Carlo samples; 0: linear error "
+        "propagation.")] = 0,
+    ring_up: Annotated[int, typer.Option("--ring-up", min=0, max=1000, help="Number of further reverberations in the first target "
+        "to compute.")] = 0,
+    thickness: Annotated[list[str] | None, typer.Option("--thickness", help='Thickness of a layer, such as "2 mm", repeated for '
+        "each layer, flyer first; all waves are then followed up to --until.")] = None,
+    until: Annotated[str, typer.Option("--until", help='With --thickness: time up to which waves are followed.')] = "1 us",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """Pressures and velocities at every interface of an impact, in the order in which the waves arrive.
+    """Solve the impedance match of an impact.
+
+    Prints pressures and velocities at every interface, in the order in which the first shock reaches them.
 
     Example: hugoniot eos match copper aluminum --velocity "1 km/s" --error "velocity = 5 m/s"
     """
@@ -118,13 +129,15 @@ def match(
 def riemann(
     left: Annotated[str, typer.Argument(metavar="LEFT", help="Material on the left.")],
     right: Annotated[str, typer.Argument(metavar="RIGHT", help="Material on the right.")],
-    left_state: Annotated[str, typer.Option("--left", help='Its state, such as "pressure = 1 GPa, velocity = 100 m/s"; default: at '
-                                                           'rest.')] = "",
-    right_state: Annotated[str, typer.Option("--right", help="As --left.")] = "",
-    bonded: Annotated[bool, typer.Option("--bonded", help="Let the contact support tension.")] = False,
+    left_state: Annotated[str, typer.Option("--left", help='State on the left, such as "pressure = 1 GPa, velocity = 100 m/s" '
+        '(default: the reference state at rest).')] = "",
+    right_state: Annotated[str, typer.Option("--right", help="State on the right, in the same form.")] = "",
+    bonded: Annotated[bool, typer.Option("--bonded", help="Keep the materials bonded, so that the contact supports tension.")] = False,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """The exact Riemann problem of two materials: waves, contact or vacuum.
+    """Solve the Riemann problem of two materials.
+
+    Prints the waves to both sides and the state at the contact, or that the materials separate.
 
     Example: hugoniot eos riemann copper water --left "velocity = 500 m/s"
     """
@@ -146,18 +159,22 @@ app.command()(sesame)
 
 @app.command()
 def fit(
-    points: Annotated[str, typer.Argument(metavar="POINTS", help="A CSV file with columns up and us, or a material of the library.")],
-    quadratic: Annotated[bool, typer.Option("--quadratic", help="Fit Us = c0 + s up + s2 up^2.")] = False,
-    least: Annotated[str | None, typer.Option("--from", help="Ignore points of lower particle velocity.")] = None,
-    highest: Annotated[str | None, typer.Option("--to", help="Ignore points of higher particle velocity.")] = None,
+    points: Annotated[str, typer.Argument(metavar="POINTS", help="A CSV file with columns up and us, or a material whose measured "
+        "points are in the library.")],
+    quadratic: Annotated[bool, typer.Option("--quadratic", help="Fit Us = c0 + s up + s2 up^2 instead of a line.")] = False,
+    least: Annotated[str | None, typer.Option("--from", help="Ignore points below this particle velocity.")] = None,
+    highest: Annotated[str | None, typer.Option("--to", help="Ignore points above this particle velocity.")] = None,
     as_toml: Annotated[bool, typer.Option("--toml", help="Print the fit as a material table for a deck.")] = False,
-    density: Annotated[str | None, typer.Option("--density", help="Density at rest, for a table (default: the library's).")] = None,
-    gruneisen: Annotated[float | None, typer.Option("--gruneisen", help="Grüneisen parameter, for a table (default: 2 s - 1).")] = None,
-    solid_jwl: Annotated[bool, typer.Option("--jwl-proportional", help="Fit the JWL alternative for solids instead and print its "
-                                                                       "material table for a deck.")] = False,
+    density: Annotated[str | None, typer.Option("--density", help="With --toml: reference density (default: the library's).")] = None,
+    gruneisen: Annotated[float | None, typer.Option("--gruneisen", help="With --toml: Grüneisen parameter (default: 2 s - 1).")] = None,
+    solid_jwl: Annotated[bool, typer.Option("--jwl-proportional", help="Fit the law jwl_proportional instead and print its material "
+        "table for a deck.")] = False,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """Fit shock velocity against particle velocity, with standard deviations and the range of the points.
+    """Fit Us-up data of a material.
+
+    Prints the constants of the shock velocity Us as a function of the particle velocity up, with standard deviations and the range of
+    the points.
 
     Example: hugoniot eos fit shots.csv --toml --density "8.93 g/cm^3"
     """
@@ -185,7 +202,9 @@ def fit_jwl(
     omega: Annotated[float | None, typer.Option("--omega", help="Fix omega at this value instead of fitting it.")] = None,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """Fit JWL constants to a CJ state, which they reproduce exactly, and to points of the expansion below it.
+    """Fit JWL constants to an expansion curve.
+
+    The CJ state given by the options is reproduced exactly, and the points of the curve below it in the sense of least squares.
 
     Example: hugoniot eos fit-jwl cylinder.csv --density "1.717 g/cm^3" --velocity "7.98 km/s" --pressure "29.5 GPa" --energy "8.5 GPa"
     """
@@ -196,10 +215,13 @@ def fit_jwl(
 
 @app.command("fit-gamma")
 def fit_gamma(
-    material: MATERIAL, at: Annotated[str, typer.Option("--at", help='The shock state to fit, such as "particle_velocity = 500 m/s".')],
+    material: MATERIAL, at: Annotated[str, typer.Option("--at", help='Shock state that the law must pass through, such as '
+        '"particle_velocity = 500 m/s".')],
     ambient: Annotated[str, typer.Option("--ambient", help="Pressure ahead of the shock.")] = "1 atm", as_json: JSON = False,
 ) -> None:
-    """The Grüneisen parameter with which a truncated (third-order) law passes through a shock state.
+    """Fit the Grüneisen parameter to a shock state.
+
+    Finds the value with which a truncated law, of third order in the compression, passes through the state.
 
     Example: hugoniot eos fit-gamma copper --at "particle_velocity = 500 m/s"
     """
@@ -211,17 +233,20 @@ def fit_gamma(
 @app.command()
 def table(
     material: MATERIAL,
-    densities: Annotated[str, typer.Option("--densities", help='Range, such as "8 g/cm^3, 14 g/cm^3"; default: 0.9 to 1.5 times '
-                                                               'the density at rest.')] = "",
-    temperatures: Annotated[str, typer.Option("--temperatures", help='Temperatures: range "200 K, 3000 K", or three or more values; '
-                                                                     '0 K is the cold curve.')] = "200 K, 3000 K",
-    points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Number of values of each.")] = 21,
+    densities: Annotated[str, typer.Option("--densities", help='Lowest and highest density, such as "8 g/cm^3, 14 g/cm^3" (default: '
+        '0.9 and 1.5 times the reference density).')] = "",
+    temperatures: Annotated[str, typer.Option("--temperatures", help='Lowest and highest temperature, or three or more values; 0 K '
+        'is the cold curve.')] = "200 K, 3000 K",
+    points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Number of densities and of temperatures, where a range "
+        "is given.")] = 21,
     as_json: JSON = False, as_csv: CSV = None,
     hdf5: Annotated[Path | None, typer.Option("--hdf5", help="Write the grid to this HDF5 file.")] = None, plot: PLOT = None,
 ) -> None:
-    """Tabulate p and e over density and temperature, for codes that read tables.
+    """Tabulate an equation of state.
 
-    A deck reads the file back: [material.x.eos] law = "table", file = "copper.csv".
+    Writes pressure and energy over density and temperature, for codes that read tables.
+
+    In a deck, [material.NAME.eos] with law = "table" and file = "copper.csv" uses the file.
 
     Example: hugoniot eos table copper --points 50 --csv copper.csv
     """

@@ -35,14 +35,18 @@ _GAMMA = ("rho0", "gamma0", "gamma1", "gamma2", "gamma3", "expansion", "heat_at_
 
 
 def convert(
-    form: Annotated[str, typer.Argument(help=f"The form of fit that the constants belong to: {', '.join(FORMS)}.")],
-    constants: Annotated[list[str], typer.Argument(metavar="NAME=VALUE...", help='The constants, such as "c0=5.35 km/s" s=1.34 "rho0=2.7 '
-                                                                                 'g/cm^3".')],
+    form: Annotated[str, typer.Argument(help=f"Form of the fit: {', '.join(FORMS)}.")],
+    constants: Annotated[list[str], typer.Argument(metavar="NAME=VALUE", help='Constants of the fit, such as "c0=5.35 km/s" '
+        's=1.34 "rho0=2.7 g/cm^3".')],
     as_json: JSON = False,
 ) -> None:
-    """Convert the constants of a fit to k0', k1', k2' of Herrmann's series; with rho0 and gamma0 also print the law for a deck.
+    """Convert a fit to Herrmann's series.
 
-    gamma0 may follow from expansion and heat_at_pressure (gamma0 = k0' alpha/(rho0 c_p)); gamma1 to gamma3 are 0 unless given.
+    Prints the coefficients k0', k1' and k2' of the series of the pressure in the compression. With rho0 and gamma0 it also prints the law
+    for a deck.
+
+    Instead of gamma0, expansion (alpha) and heat_at_pressure (c_p) may be given: gamma0 = k0' alpha/(rho0 c_p). gamma1 to gamma3 are 0
+    unless given.
 
     Example: hugoniot eos convert linear "rho0=2785 kg/m^3" "c0=5328 m/s" s=1.338 gamma0=2
     """

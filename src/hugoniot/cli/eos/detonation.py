@@ -16,7 +16,9 @@ def cj(
     materials: MATERIALS, density: DENSITY = None, heat: HEAT = None, ahead: AHEAD = "", as_json: JSON = False, as_csv: CSV = None,
     plot: PLOT = None,
 ) -> None:
-    """The Chapman-Jouguet state, by tangency of the Rayleigh line, for any law of the products.
+    """Compute Chapman-Jouguet states.
+
+    The CJ state is where the Rayleigh line touches the detonation Hugoniot; any law of products can be used.
 
     Example: hugoniot eos cj comp_b tnt --json
     """
@@ -40,18 +42,23 @@ def cj(
 
 
 def znd(
-    explosives: MATERIALS, closure: Annotated[str | None, typer.Option("--closure", help=CLOSURE + "; default: the material's.")] = None,
+    explosives: MATERIALS, closure: Annotated[str | None, typer.Option("--closure", help=CLOSURE + " (default: that of the "
+        "material).")] = None,
     rate: RATE = None, heat: HEAT = None, density: DENSITY = None, ahead: AHEAD = "",
-    overdrive: Annotated[float, typer.Option("--overdrive", min=1.0, help="f = (D/D_CJ)^2.")] = 1.0,
-    velocity: Annotated[str | None, typer.Option("--velocity", help='Velocity of the front instead, such as "9 km/s".')] = None,
+    overdrive: Annotated[float, typer.Option("--overdrive", min=1.0, help="Overdrive f = (D/D_CJ)^2, with the velocity D of the "
+        "front.")] = 1.0,
+    velocity: Annotated[str | None, typer.Option("--velocity", help='Velocity of the front, such as "9 km/s", instead of '
+        '--overdrive.')] = None,
     complete: Annotated[float, typer.Option("--complete", help="Burn fraction at which the profile ends.")] = 1.0 - 1e-6,
-    points: Annotated[int, typer.Option("--points", min=3, max=10000, help="States along the zone.")] = 100,
+    points: Annotated[int, typer.Option("--points", min=3, max=10000, help="Number of states along the zone.")] = 100,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """The steady reaction zone of a detonation: von Neumann spike, profile, half-reaction length and time.
+    """Compute the reaction zone of a detonation.
 
-    An explosive of the library burns by its calibrated rate, reactants and products mixed by --closure. With --heat a single law
-    releases that heat as the reaction proceeds (a gas, or a simple textbook model).
+    Prints the von Neumann spike, the half-reaction length and time, and states along the steady (ZND) zone.
+
+    An explosive of the library burns at its calibrated rate; --closure says how reactants and products share a zone. With --heat a
+    single law, such as that of a gas, releases this heat as the reaction proceeds.
 
     Example: hugoniot eos znd lx_17 --plot zone.png
     """
@@ -63,30 +70,33 @@ def znd(
 
 def mixture(
     explosive: EXPLOSIVE,
-    at: Annotated[str, typer.Option("--at", help='State of the mixture, such as "density = 2.4 g/cm^3, energy = 3 MJ/kg", or pressure or '
-                                                 "temperature in place of energy. The energy is measured from the unreacted explosive "
-                                                 "at rest; the chemical energy is added to it.")] = "",
-    shocked: Annotated[str, typer.Option("--shocked", help='A shock through the reactants first, "pressure = 20 GPa": gives their '
-                                                           "isentrope and, without --at, the state.")] = "",
+    at: Annotated[str, typer.Option("--at", help='State of the mixture: density and one of energy, pressure and temperature, such '
+        'as "density = 2.4 g/cm^3, energy = 3 MJ/kg". The energy is that above the reference state of the unreacted explosive; the '
+        'chemical energy is added.')] = "",
+    shocked: Annotated[str, typer.Option("--shocked", help='Shock that the reactants pass through first, such as "pressure = 20 '
+        'GPa"; sets their isentrope and, without --at, the state.')] = "",
     fractions: Annotated[str, typer.Option("--burn-fraction", help="Burn fractions, separated by commas.")] = "0, 0.25, 0.5, 0.75, 1",
-    closure: Annotated[list[str] | None, typer.Option("--closure", help=CLOSURE + "; default: isolation and equilibrium.")] = None,
-    adiabat: Annotated[str | None, typer.Option("--adiabat", help='Follow the adiabat from the state of the first burn fraction to this '
-                                                                  'density, '
-                                                                  '"1 g/cm^3".')] = None,
-    burn_to: Annotated[float | None, typer.Option("--burn-to", min=0.0, max=1.0, help="Burn fraction at the end of the adiabat, reached in "
-                                                                                    "proportion to the volume; default: frozen.")] = None,
-    frozen: Annotated[str | None, typer.Option("--hugoniot", help='Shocks up to this pressure, such as "40 GPa", without reaction in them '
-                                                                  'or with '
-                                                                "--reacted.")] = None,
-    reacted: Annotated[float, typer.Option("--reacted", min=0.0, max=1.0, help="Mass fraction that burns inside the shock.")] = 0.0,
-    series: Annotated[bool, typer.Option("--series", help="Give the series for small burn fractions instead.")] = False,
-    heat: Annotated[str | None, typer.Option("--heat", help='Chemical energy, such as "5 MJ/kg"; default: from the laws.')] = None,
-    points: Annotated[int, typer.Option("--points", min=2, max=10000, help="States along an adiabat or Hugoniot.")] = 41,
+    closure: Annotated[list[str] | None, typer.Option("--closure", help=CLOSURE + " (default: thermal_isolation and "
+        "thermal_equilibrium); repeatable.")] = None,
+    adiabat: Annotated[str | None, typer.Option("--adiabat", help='Density to which the adiabat is followed from the state of the '
+        'first burn fraction, such as "1 g/cm^3".')] = None,
+    burn_to: Annotated[float | None, typer.Option("--burn-to", min=0.0, max=1.0, help="Burn fraction at the end of the adiabat, "
+        "approached in proportion to the volume (default: it does not change).")] = None,
+    frozen: Annotated[str | None, typer.Option("--hugoniot", help='Highest pressure of shocks into the state, such as "40 GPa"; '
+        'nothing burns inside them without --reacted.')] = None,
+    reacted: Annotated[float, typer.Option("--reacted", min=0.0, max=1.0, help="With --hugoniot: mass fraction that burns inside "
+        "the shock.")] = 0.0,
+    series: Annotated[bool, typer.Option("--series", help="Print the series for small burn fractions instead.")] = False,
+    heat: Annotated[str | None, typer.Option("--heat", help='Chemical energy, such as "5 MJ/kg" (default: from the equations of '
+        'state).')] = None,
+    points: Annotated[int, typer.Option("--points", min=2, max=10000, help="Number of states along an adiabat or Hugoniot.")] = 41,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """Reactants and products in one zone: pressure and its slopes, sound speed, Gamma, adiabatic exponent, temperature, specific heat.
+    """Compute states of a partly burned explosive.
 
-    The phases are in mechanical equilibrium, with thermal isolation (the reactants stay on their isentrope) or thermal equilibrium.
+    Prints pressure and its derivatives, sound speed, Gamma, adiabatic exponent, temperature and specific heat of the mixture.
+
+    Reactants and products have equal pressures, with thermal isolation (the reactants stay on their isentrope) or equal temperatures.
 
     Example: hugoniot eos mixture lx_17 --shocked "pressure = 20 GPa" --adiabat "1 g/cm^3" --burn-to 1
     """

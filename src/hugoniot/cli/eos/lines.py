@@ -20,10 +20,12 @@ TAMPED = ("asymmetric", "tamper")
 
 def lines(
     material: MATERIAL, at: Annotated[str, typer.Option("--at", help='The shock, such as "particle_velocity = 858 m/s".')],
-    points: Annotated[int, typer.Option("--points", min=3, max=10000, help="States along each line.")] = 41,
+    points: Annotated[int, typer.Option("--points", min=3, max=10000, help="Number of states along each line.")] = 41,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """The Rayleigh line (mass, momentum), the Fanno line (mass, energy) and the Hugoniot of a shock: they meet at its two states.
+    """Compute Rayleigh and Fanno lines of a shock.
+
+    The Rayleigh line (mass and momentum), the Fanno line (mass and energy) and the Hugoniot meet at the two states of the shock.
 
     Example: hugoniot eos lines copper --at "particle_velocity = 1 km/s" --plot lines.png
     """
@@ -47,14 +49,18 @@ def lines(
 
 def gurney(
     explosives: Annotated[list[str] | None, typer.Argument(
-        metavar="[EXPLOSIVE]...", help="Explosives of the library (default: all of them); the Gurney velocity is tabulated or derived "
-                                       "from the products.")] = None,
-    ratio: Annotated[str, typer.Option("--ratio", help="Ratios of metal mass to explosive mass, separated by commas.")] = "1",
-    tamper: Annotated[str | None, typer.Option("--tamper", help="Tamper mass over explosive mass: the asymmetric sandwich.")] = None,
-    velocity: Annotated[str | None, typer.Option("--velocity", help='Your own Gurney velocity sqrt(2E), such as "2.7 km/s".')] = None,
+        metavar="EXPLOSIVE", help="Explosives of the library (default: all). Their Gurney velocities are tabulated or derived "
+        "from the products.")] = None,
+    ratio: Annotated[str, typer.Option("--ratio", help="Ratio of metal mass to explosive mass, or several separated by commas.")] = "1",
+    tamper: Annotated[str | None, typer.Option("--tamper", help="Ratio of tamper mass to explosive mass, for the asymmetric "
+        "sandwich.")] = None,
+    velocity: Annotated[str | None, typer.Option("--velocity", help='Gurney velocity sqrt(2E), such as "2.7 km/s", instead of an '
+        'explosive.')] = None,
     as_json: JSON = False,
 ) -> None:
-    """Velocity of metal driven by an explosive, by Gurney's formulas: open, symmetric and asymmetric sandwich, cylinder, sphere.
+    """Compute metal velocities by Gurney's formulas.
+
+    The geometries are open, symmetric and asymmetric sandwich, cylinder and sphere.
 
     Example: hugoniot eos gurney pbx9404 petn --ratio "0.5, 1, 2"
     """

@@ -9,19 +9,20 @@ from hugoniot.cli.show import JSON
 
 
 def second_shock(
-    material: Annotated[str, typer.Argument(metavar="[MATERIAL]", help="Material whose state at rest gives a, b and c: bulk modulus, "
-                                                                       "curvature "
-                                                                       "of the Hugoniot, Gamma.")] = "",
-    a: Annotated[str | None, typer.Option("--a", help='P = a mu + b mu^2 + c (1 + mu) E, E per volume at rest; '
-                                                        'default without MATERIAL "0.73 Mbar".')] = None,
-    b: Annotated[str | None, typer.Option("--b", help='As --a; default without MATERIAL "1.72 Mbar".')] = None,
-    c: Annotated[float | None, typer.Option("--c", help="Dimensionless; the source prints it as 1.60 Mbar.")] = None,
+    material: Annotated[str, typer.Argument(metavar="MATERIAL", help="Material whose reference state gives a, b and c (bulk "
+        "modulus, curvature of the Hugoniot, Gamma).")] = "",
+    a: Annotated[str | None, typer.Option("--a", help='Constant a (default without MATERIAL: "0.73 Mbar").')] = None,
+    b: Annotated[str | None, typer.Option("--b", help='Constant b (default without MATERIAL: "1.72 Mbar").')] = None,
+    c: Annotated[float | None, typer.Option("--c", help="Constant c, dimensionless; the source prints 1.60 Mbar.")] = None,
     first: Annotated[float, typer.Option("--first", help="Compression mu = rho/rho0 - 1 behind the first shock.")] = 0.1,
-    mu: Annotated[str, typer.Option("--mu", help='Compressions, such as "0.15, 0.2, 0.25"; default: 11 values up to 2.5 times '
-                                                 '--first.')] = "",
+    mu: Annotated[str, typer.Option("--mu", help='Compressions mu of the table, such as "0.15, 0.2, 0.25" (default: 11 values up to '
+        '2.5 times --first).')] = "",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """Principal and second-shock Hugoniot of Wilkins' quadratic law, exact and as series, and the leading difference between them.
+    """Compare principal and second-shock Hugoniots.
+
+    The law is Wilkins' quadratic law p = a mu + b mu^2 + c (1 + mu) E, with mu = rho/rho0 - 1 and the energy E per reference volume.
+    Both curves are computed exactly and as series, with the leading difference between them.
 
     Example: hugoniot eos second-shock copper --first 0.1 --plot second.png
     """

@@ -19,12 +19,14 @@ _ADDS_UP = 1e-6       # single precision, as files are written
 
 def sesame(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A SESAME-format ASCII file.")],
-    material: Annotated[int | None, typer.Option("--material", help="Number of the material (default: the first).")] = None,
-    temperature: Annotated[str | None, typer.Option("--temperature", help='Show the isotherm of each part at the tabulated temperature '
-                                                                          'nearest to this one, "3000 K".')] = None,
+    material: Annotated[int | None, typer.Option("--material", help="Number of the material in the file (default: the first).")] = None,
+    temperature: Annotated[str | None, typer.Option("--temperature", help='Print the isotherm of each partial table at the '
+        'tabulated temperature nearest to this one, such as "3000 K".')] = None,
     as_json: JSON = False, as_csv: CSV = None,
 ) -> None:
-    """Tables of a SESAME-format file: grids, the sum of the parts against the total, cold curve, critical point, melting.
+    """Show the tables of a SESAME-format file.
+
+    Prints the grids, how well the partial tables add up to the total, the cold curve, the critical point and the melting curve.
 
     Example: hugoniot eos sesame copper.ses --temperature "3000 K" --csv parts.csv
     """

@@ -13,22 +13,25 @@ from hugoniot.errors import DeckError
 
 
 def stability(
-    explosive: Annotated[str | None, typer.Argument(help="Explosive of the library, or of a TOML file; omit it for an ideal gas with one "
-                                                         "Arrhenius step.")] = None,
-    gamma: Annotated[float | None, typer.Option("--gamma", help="Ratio of specific heats of the gas (default 1.2).")] = None,
-    heat: Annotated[str | None, typer.Option("--heat", help="Heat release over pressure/density ahead (default 50); with an explosive: "
-                                                            'the heat of reaction, where it has one law only, "5 MJ/kg".')] = None,
+    explosive: Annotated[str | None, typer.Argument(help="Name of the library or TOML file; omit it for the ideal gas.")] = None,
+    gamma: Annotated[float | None, typer.Option("--gamma", help="Ratio of specific heats of the gas (default: 1.2).")] = None,
+    heat: Annotated[str | None, typer.Option("--heat", help='Gas: heat release divided by p/rho ahead (default: 50). Explosive with '
+        'a single law: heat of reaction, such as "5 MJ/kg".')] = None,
     activation: Annotated[float | None, typer.Option("--activation",
-                                                              help="Activation energy over pressure/density ahead (default 50).")] = None,
-    overdrive: Annotated[float, typer.Option("--overdrive", help="f = (D/D_CJ)^2, at least 1.0005; CJ is the limit from above.")] = 1.6,
+                                                              help="Activation energy of the gas divided by p/rho ahead (default: "
+        "50).")] = None,
+    overdrive: Annotated[float, typer.Option("--overdrive", help="Overdrive f = (D/D_CJ)^2, at least 1.0005.")] = 1.6,
     highest: Annotated[float, typer.Option("--highest", help="Highest frequency to search, in radians per unit time.")] = 3.0,
-    closure: Annotated[str | None, typer.Option("--closure", help=CLOSURE + "; default: the material's.")] = None,
+    closure: Annotated[str | None, typer.Option("--closure", help=CLOSURE + " (default: that of the material).")] = None,
     rate: RATE = None, as_json: JSON = False,
 ) -> None:
-    """Normal modes of a plane ZND wave: of an explosive with its equations of state, mixture and rate, or of an ideal gas with one step.
+    """Find the unstable modes of a plane detonation.
 
-    For an explosive the unit of time is its half-reaction length over D. For the gas, lengths are in half-reaction lengths and times
-    in half-reaction lengths over sqrt(pressure/density) of the gas ahead.
+    Prints growth rates and frequencies of the normal modes of a ZND wave, of an explosive with its equations of state, mixture and rate, or
+    of an ideal gas with one Arrhenius step.
+
+    For an explosive the unit of time is its half-reaction length divided by D, the velocity of the front. For the gas it is the
+    half-reaction length divided by sqrt(p/rho) of the gas ahead.
 
     Examples: hugoniot eos stability lx_17 --overdrive 1.1; hugoniot eos stability --activation 26 --overdrive 1.001 --highest 1
     """
