@@ -63,7 +63,7 @@ def plain_docstring(app, what, name, obj, options, lines) -> None:
     """The house's docstrings are plain text: names with their meanings become a list, what is aligned otherwise keeps its lines."""
     shown, named, rows = [], False, []
     for row in [*"\n".join(lines).strip("\n").splitlines(), ""]:
-        found = NAMED.match(row)
+        found = None if row.startswith(">>>") else NAMED.match(row)
         if rows and (found or not row.strip() or (named and not row.startswith(" "))):     # what was before ends here
             shown += [*(rows if named else _block(rows)), ""]
             rows, named = [], False
@@ -76,6 +76,8 @@ def plain_docstring(app, what, name, obj, options, lines) -> None:
 
 def _block(rows: list[str]) -> list[str]:
     """Lines of text as a paragraph; lines with blanks inside, which align something, as they are."""
+    if rows[0].startswith(">>>"):
+        return [".. code-block:: pycon", "", *(f"   {row}" for row in rows)]
     if any("   " in row.strip() for row in rows):
         return [".. code-block:: text", "", *(f"   {row}" for row in rows)]
     return [_plain(" ".join(row.strip() for row in rows))]

@@ -1,17 +1,23 @@
-"""The errors that the package raises: in a deck, in the physics, or with files."""
+"""Errors that the package raises. All are derived from `HugoniotError`."""
 
 from dataclasses import dataclass, field
 
 
 class HugoniotError(Exception):
-    """Base class of the errors of this package; `exit_code` is the exit code of the command line."""
+    """Base class of all errors that the package raises on purpose; `exit_code` is the exit code of the command line."""
 
     exit_code = 1
 
 
 @dataclass
 class DeckProblem:
-    """One mistake in a deck: its place, what is wrong, and a suggested fix."""
+    """One mistake in a deck.
+
+    file, line   where it is; line is None if it cannot be said
+    key          the key, with dots, such as region.flyer.to
+    message      what is wrong
+    hint         how it can be corrected, or ""
+    """
 
     file: str
     line: int | None
@@ -29,9 +35,9 @@ class DeckProblem:
 class DeckError(HugoniotError):
     """A deck, a material file or another input that cannot be used.
 
-    problems   the mistakes
-    more       number of further mistakes that are not listed
-    at_least   reading stopped early, so that there may be others
+    problems   a list of `DeckProblem`
+    more       number of further problems that are not listed
+    at_least   whether there may be even more, because reading stopped
     """
 
     exit_code = 2
@@ -42,7 +48,7 @@ class DeckError(HugoniotError):
 
     @property
     def count(self) -> str:
-        """The number of mistakes, as text."""
+        """Number of problems, as a text."""
         if self.more:
             least = "at least " if self.at_least else ""
             return f"{least}{len(self.problems) + self.more} problems; the first {len(self.problems)} are shown"
@@ -55,9 +61,12 @@ class DeckError(HugoniotError):
 
 @dataclass
 class UnphysicalState(HugoniotError):
-    """A state that is not physical, such as a negative density, found in the cycle in which it arose.
+    """A run reached a state that no material can have.
 
-    `zone`, `position` (m) and `time` (s) say where and when. `cause` and `remedy` are sentences, and `values` holds the fields there.
+    cause, remedy   sentences
+    zone, region    where, as number of the zone and name of its region
+    position, time, cycle   position (m), time (s) and number of the time step
+    values          fields of the zone, in SI
     """
 
     cause: str
@@ -83,18 +92,18 @@ class UnphysicalState(HugoniotError):
 
 
 class OutOfRange(HugoniotError, ValueError):
-    """A state outside the range in which a law or a tool is defined; the message states the limit."""
+    """A state outside the range in which a law or a function is defined; the message gives the limit."""
 
     exit_code = 3
 
 
 class NoSolution(HugoniotError, ArithmeticError):
-    """A search has no solution or did not find one; the message states the interval that was searched."""
+    """A search for a solution found none; the message gives the interval that was searched."""
 
     exit_code = 3
 
 
 class FileTrouble(HugoniotError, OSError):
-    """A file or folder cannot be read or written; existing data are not lost."""
+    """A file or folder that cannot be read or written; existing files are left as they were."""
 
     exit_code = 4

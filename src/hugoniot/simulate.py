@@ -60,16 +60,21 @@ def _recorder(folder: RunFolder, problem, solver, progress, warned=()):
 
 def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=None, overwrite: bool = False,
         report: bool | Callable = True, **overrides) -> "Run":
-    """Run a deck (its path, or a `Deck`) or a `Problem` and return the finished `Run`.
+    """Run a deck or a problem, and return the finished `Run`.
 
-    out         run folder; default: the name of the deck (or the title of the problem) with `.run`, in the current folder
-    deck_text   of a `Problem`: the deck text to keep in the run folder (default: written from the problem)
-    progress    object whose method `update` is called with the progress of the run, or None
-    overwrite   replace a run that is already in the folder
-    report      whether report.html is written, or a function that writes it into the folder of the finished run
-    overrides   keys of the deck to change first: stop_time="3 us", solver={"courant": 0.3}, ...
+    deck_or_problem   path of a deck, a `Deck` that `read_deck` returned, or a `Problem`
+    out         run folder to write (default: the deck's name, or the problem's title, with `.run`, in the current folder)
+    deck_text   text of the deck that is kept in the run folder (default: that of the deck)
+    progress    object with a method `update(report)` that is called while the run advances, or None
+    overwrite   whether a run that is already in the folder is replaced
+    report      whether report.html is written, or a function that writes it into the folder of a finished run
+    overrides   keys of the deck to change: stop_time="3 us", solver={"courant": 0.3}; only with the path of a deck
 
-    Raises `DeckError`, `UnphysicalState` (the state is then written to the folder for diagnosis) or `FileTrouble`.
+    Raises `DeckError` for a deck that cannot be used, `UnphysicalState` if the run fails (the folder then holds the last state, in
+    post_mortem.h5), and `FileTrouble` if the folder cannot be written.
+
+    >>> run = hugoniot.run("flyer.toml", stop_time="3 us")
+    >>> time, velocity = run.gauge("velocity", "free surface")     # s, m/s
     """
     begun = time.perf_counter()
     problem, text, warnings, name = _read(deck_or_problem, deck_text, overrides)
@@ -82,14 +87,17 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
 
 
 def resume(folder, progress=None, report: bool | Callable = True, restore_deck: bool = False) -> "Run":
-    """Continue an interrupted or killed run from its newest intact checkpoint and return the finished `Run`.
+    """Continue an interrupted run from its newest intact checkpoint, and return the finished `Run`.
 
-    On the same machine the result is bit for bit that of an uninterrupted run. If the run was killed after its last step, only the
-    missing files are written.
+    The result is the same, bit for bit, as that of an uninterrupted run. If only files are missing (gauges.csv, the deck or the report),
+    they are written.
 
-    restore_deck   first restore the deck with which the run was started; the checkpoints contain a copy
+    folder         the run folder
+    progress       as for `run`
+    report         as for `run`
+    restore_deck   whether deck.toml is first replaced by the copy kept with the checkpoints
 
-    Raises `FileTrouble` if another process is using the folder, or if the deck in it has been changed since the start.
+    Raises `FileTrouble` if another process is using the folder, or if its deck was changed since the run started.
     """
     with end_like_interrupt(), RunFolder(folder, resume=True) as place:
         return _completed(place, report) if place.finished else _continued(place, progress, report, restore_deck)

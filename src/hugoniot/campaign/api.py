@@ -38,18 +38,25 @@ def _listed(values) -> str:
 def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Sequence[str] | str = (), *, tie: Sequence[str] = (),
           out: str | os.PathLike | None = None, workers: int | None = None, engine: str = "local", scheduler: str | None = None,
           materials: Sequence = (), report: bool = True, **options):
-    """Run a deck with some of its keys varied; return an xarray Dataset of the results with the parameters as coordinates.
+    """Run a deck many times with some of its keys varied, and return an xarray Dataset of the results.
 
-    deck       path of a deck, or of a file with a [sweep] table; None for impedance matches
-    vary       {"region.flyer.velocity": "300..1200 m/s : 10", "material.al.fracture.strength": ["1 GPa", "2 GPa"]}, or strings
-    tie        strings such as "region.target.to = region.flyer.to + 4 mm"
-    out        folder (default: the deck's name with .sweep); cases that are already there are not run again
-    workers    processes (default: one for each processor)
-    engine     "local", or "dask"; with Dask, `scheduler` is the address of a scheduler (None: workers on this machine)
-    materials  files and folders of your own materials
-    options    design, samples, seed, match, output, record, keep, time_limit, uncertain: as the options of `hugoniot sweep`
+    The parameters are the coordinates. Results are in SI, and NaN for a case that failed; the variable `reason` says why it failed.
 
-    Results are in SI units. Where a case failed they are NaN, and the variable `reason` says why. Raises `DeckError` and `FileTrouble`.
+    deck        path of a deck, which may contain a table [sweep]; None with `match`
+    vary        what varies: {"region.flyer.velocity": "300..1200 m/s : 10", "material.al.fracture.strength": ["1 GPa", "2 GPa"]},
+                or texts as for hugoniot sweep --vary
+    tie         keys that follow from others, such as "region.target.to = region.flyer.to + 4 mm"
+    out         folder to write (default: the deck's name with .sweep); cases that it already holds are not run again
+    workers     number of processes (default: one per processor)
+    engine      "local", or "dask" with the address of a `scheduler`
+    scheduler   address of a Dask scheduler (default: workers on this machine)
+    materials   files and folders with your own materials
+    report      whether report.html is written
+    options     design, samples, seed, match, output, record, keep, time_limit, uncertain: as the options of hugoniot sweep
+
+    Raises `DeckError` and `FileTrouble`.
+
+    >>> table = hugoniot.sweep("flyer.toml", {"region.flyer.velocity": "300..1200 m/s : 10"})
     """
     tie = [tie] if isinstance(tie, str) else list(tie)
     chosen = None if (engine, scheduler) == ("local", None) else engine_of(engine, scheduler, workers, options.get("time_limit"))
@@ -60,21 +67,28 @@ def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Seque
 
 def fit(deck: str | os.PathLike, to: Sequence[str] | str, free: Mapping[str, str] | Sequence[str] | str, *, tie: Sequence[str] = (),
         out: Any = None, workers: int | None = None, materials: Sequence = (), **options):
-    """Find constants of a deck from measured records; return a Dataset of the parameters with intervals and correlations.
+    """Find constants of a deck from measured records, and return an xarray Dataset of the fitted parameters.
 
-    to       files of measured records, or numbers such as "free surface.arrival = 0.69 +- 0.01 us"
-    free     {"material.ta.fracture.strength": "1..8 GPa"}, or strings
-    out      folder (default: the deck's name with .fit); False writes nothing
-    tie      strings such as "region.target.to = region.flyer.to + 4 mm"
-    options  gauge, sigma, window, shift, scale, loss, starts, seed, profile, local, posterior: as the options of `hugoniot fit`
+    The variables over (parameter) are `value`, `sigma` (standard deviation), `low` and `high` (limits of the 95 % interval), in SI, the
+    SI `unit`, and `correlation` over (parameter, other). The attributes hold the reduced chi-square, whether the model `matches`
+    the records, the text `doubts`, which should be read before a value is used, and the fitted `deck`.
 
-    Values are in SI units. The attributes are the reduced chi-square, `matches` (whether the model matches the data), `doubts` (to be
-    read before a value is used) and `deck` (the text of the fitted deck).
+    deck        path of the deck
+    to          files of measured records (.csv), or numbers such as "free surface.arrival = 0.69 +- 0.01 us"
+    free        constants to find and their ranges: {"material.ta.fracture.strength": "1..8 GPa"}, or texts
+    tie         keys that follow from others, as for `sweep`
+    out         folder to write (default: the deck's name with .fit); False writes nothing
+    workers     number of processes (default: one per processor)
+    materials   files and folders with your own materials
+    options     gauge, sigma, window, shift, scale, loss, starts, seed, profile, local, posterior, posterior_runs: as the options of
+                hugoniot fit
 
-    With posterior="surrogate" or "runs" the Dataset also has the `draws` (draw, parameter) of the posterior, its `quantiles`, and the
-    bands `prior_predictive` and `posterior_predictive` (level, point) of all data in the order given.
+    With posterior="surrogate" or "runs" the Dataset also has `draws` (draw, parameter) of the posterior distribution, its `quantiles`,
+    and the bands `prior_predictive` and `posterior_predictive` (level, point) of all data in the order given.
 
-    Raises `DeckError`, `FileTrouble`, `NoSolution`.
+    Raises `DeckError`, `FileTrouble` and `NoSolution`.
+
+    >>> found = hugoniot.fit("spall.toml", "visar.csv", {"material.ta.fracture.strength": "1..8 GPa"}, shift="20 ns")
     """
     import xarray
 

@@ -1,26 +1,25 @@
-r"""The free-surface velocity as an interferometer records it, and what follows from it: pull-back, spall strength, spall thickness.
+r"""Free-surface velocity as an interferometer sees it, and what follows from it: pull-back, spall strength, spall thickness.
 
-A velocity interferometer with delay $\tau$ measures the displacement of the surface during the delay: the fringe count
-$F = 2\,[x(t) - x(t-\tau)] / \lambda$ gives the velocity averaged over $[t-\tau, t]$, assigned to $t - \tau/2$
-(L. M. Barker, R. E. Hollenbach, J. Appl. Phys. 43 (1972) 4669).
+A velocity interferometer with delay $\tau$ and light of wavelength $\lambda$ counts fringes in proportion to the displacement x of the
+surface over the delay, $F = 2\,[x(t) - x(t-\tau)] / \lambda$. This gives the velocity averaged over $[t-\tau, t]$, assigned to
+$t - \tau/2$ (L. M. Barker, R. E. Hollenbach, J. Appl. Phys. 43 (1972) 4669).
 
-The spall strength follows from the pull-back $\Delta u$ of the free-surface velocity. Acoustic:
+The spall strength $\sigma$ follows from the pull-back $\Delta u$ of the free-surface velocity. Here $\rho_0$ is the initial density, $c_b$
+the bulk sound speed and $c_l$ the longitudinal sound speed, both in the initial state. In the acoustic approximation
 
-$$\sigma = \tfrac12\,\rho_0\,c_0\,\Delta u$$
+$$\sigma = \tfrac12\,\rho_0\,c_b\,\Delta u$$
 
-(S. A. Novikov, I. I. Divnov, A. G. Ivanov, Phys. Met. Metall. 21 (1966) 608), with the bulk sound speed $c_0 = c_b$. In an elastic-plastic
-body the front of the spall pulse runs at the longitudinal speed $c_l$ and overtakes the release at $c_b$, which lowers the observed
-pull-back:
+(S. A. Novikov, I. I. Divnov, A. G. Ivanov, Phys. Met. Metall. 21 (1966) 608). In an elastic-plastic body the front of the spall pulse
+runs at $c_l$ and overtakes the release, which runs at $c_b$. This lowers the observed pull-back:
 
 $$\sigma = \rho_0\,c_l\,\Delta u\,\frac{1}{1 + c_l/c_b}$$
 
 (V. I. Romanchenko, G. V. Stepanov, J. Appl. Mech. Tech. Phys. 21 (1980) 555). Over the distance h from the spall plane to the surface the
-elastic front also erodes a short tension pulse; G. I. Kanel, J. Appl. Mech. Tech. Phys. 42 (2001) 358, adds to the pull-back
+elastic front also erodes a short tension pulse. G. I. Kanel, J. Appl. Mech. Tech. Phys. 42 (2001) 358, therefore adds to the pull-back
 
 $$\delta = \left(\frac{h}{c_b} - \frac{h}{c_l}\right)\frac{|\dot u_1|\,\dot u_2}{|\dot u_1| + \dot u_2}$$
 
-with the slopes $\dot u_1$ and $\dot u_2$ of the record before and after its minimum. (All use sound speeds of the reference state and
-neglect the rate of fracture.)
+with the slopes $\dot u_1$ and $\dot u_2$ of the record before and after its minimum. All of these formulas neglect the rate of fracture.
 """
 
 from typing import NamedTuple
@@ -31,7 +30,12 @@ QUARTILES = (0.25, 0.5, 0.75)
 
 
 class PullBack(NamedTuple):
-    """A drop of the free-surface velocity: velocity (m/s) and time (s) before it, at its minimum, and at the highest point after it."""
+    """The pull-back of a free-surface record: velocities in m/s and times in s.
+
+    peak, peak_time         level before the drop (see `plateau`), and when it ends
+    minimum, minimum_time   at the bottom of the drop
+    rebound, rebound_time   highest value after the drop
+    """
 
     peak: float
     peak_time: float
@@ -47,10 +51,13 @@ class PullBack(NamedTuple):
 
 
 def visar_velocity(time, velocity, delay: float):
-    """The velocity that a VISAR with this delay (s) shows: (times at the middle of the delay, mean velocity over the delay).
+    """The record that a VISAR shows of a surface velocity: (times, velocities).
 
-    time (n,) s, increasing; velocity (n,) m/s. The mean is the exact displacement of the piecewise linear record over the delay;
-    the surface is at rest before the record begins.
+    time       (n,) s, increasing
+    velocity   (n,) m/s, of the surface; it is at rest before the record begins
+    delay      of the interferometer, s
+
+    The velocities are means over the delay, at the times in its middle.
     """
     time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
     if delay <= 0.0:
@@ -67,12 +74,18 @@ def visar_velocity(time, velocity, delay: float):
 
 
 def fringes(time, velocity, delay: float, wavelength: float = 532e-9):
-    """Fringe count of a VISAR, 2 delay u / wavelength, at the times of the record (n,); delay in s, wavelength in m."""
+    """Fringe count of a VISAR, 2 delay u / wavelength, at the times of the record.
+
+    time         (n,) s
+    velocity     (n,) m/s, of the surface
+    delay        of the interferometer, s
+    wavelength   of the light, m
+    """
     return 2.0 * delay / wavelength * visar_velocity(time, velocity, delay)[1]
 
 
 def turning_points(values, least: float) -> list[int]:
-    """Indices of successive maxima and minima whose swings exceed `least`, starting with the first maximum (zigzag filter)."""
+    """Indices of successive maxima and minima that differ by more than `least` (in the unit of `values`), starting with a maximum."""
     points, rising, best = [], True, 0
     values = np.asarray(values, dtype=float)
     # swings end where a climb or a fall does: at the first of equal values, or at the end of the record
@@ -90,10 +103,14 @@ def turning_points(values, least: float) -> list[int]:
 
 
 def pull_back(time, velocity, least: float = 0.02) -> PullBack | None:
-    """The first pull-back: a drop from at least 0.8 of the highest velocity, followed by a rebound; None if there is none.
+    """The first pull-back of a free-surface record as a `PullBack`, or None if there is none.
 
-    least   smallest swing that counts, as a fraction of the highest velocity; it should exceed the numerical ringing. The drop must
-            be at least twice as large
+    It is a drop from at least 0.8 of the highest velocity that is followed by a rebound.
+
+    time       (n,) s
+    velocity   (n,) m/s
+    least      smallest change that counts, as a fraction of the highest velocity, so that numerical ringing is ignored; the drop must be
+               twice as large
     """
     velocity = np.asarray(velocity, dtype=float)
     top = float(np.max(velocity)) if len(velocity) else 0.0
@@ -114,18 +131,20 @@ def pull_back(time, velocity, least: float = 0.02) -> PullBack | None:
 
 
 def plateau(time, velocity) -> float:
-    """The level of the flat top of a velocity record, m/s (see `flat_top`); the highest velocity if the top is not flat.
+    """Level of the flat top of a velocity record, m/s; the highest velocity if the top is not flat.
 
-    time (n,) s, velocity (n,) m/s, n >= 1.
+    time       (n,) s
+    velocity   (n,) m/s
     """
     level = flat_top(time, velocity)
     return level if np.isfinite(level) else float(np.max(velocity))
 
 
 def flat_top(time, values) -> float:
-    """The level of the flat top of a record, without a short overshoot at its front; NaN if the top is not flat.
+    """Level of the flat top of a record, without an overshoot at its front; NaN if the top is not flat.
 
-    The top is flat if its quartiles over time differ by no more than 0.5 % of its height. time (n,) s, values (n,), n >= 1.
+    time     (n,) s
+    values   (n,), of any quantity
     """
     return flat_stretch(durations(time), values)[1]
 
@@ -187,9 +206,12 @@ def _over_time(values, weight, shares):
 
 
 def ringing_period(time, velocity, after: float, least: float = 0.01) -> float:
-    """Mean time (s) between successive maxima after the time `after`; NaN without two maxima.
+    """Period in s with which a spalled layer rings: the mean time between successive maxima after a time. NaN without two maxima.
 
-    A spalled layer rings with the period 2 thickness / c_l, where c_l is the longitudinal sound speed.
+    time       (n,) s
+    velocity   (n,) m/s
+    after      time from which maxima count, s
+    least      smallest change that counts, as a fraction of the highest velocity
     """
     time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
     tail = time >= after
@@ -208,22 +230,36 @@ def _last_near(values, k: int, least: float) -> int:
 
 
 def spall_strength(drop: float, rho0: float, c_bulk: float, c_long: float | None = None) -> float:
-    """Spall strength (Pa) from the pull-back `drop` (m/s): acoustic, or by Stepanov's formula if c_long (m/s) is given."""
+    """Spall strength in Pa from the pull-back of the free-surface velocity.
+
+    drop     pull-back velocity, m/s
+    rho0     initial density, kg/m3
+    c_bulk   bulk sound speed, m/s
+    c_long   longitudinal sound speed, m/s; if it is given, the formula of Romanchenko and Stepanov replaces the acoustic one
+    """
     if c_long is None:
         return 0.5 * rho0 * c_bulk * drop
     return rho0 * c_long * drop / (1.0 + c_long / c_bulk)
 
 
 def kanel_correction(time, velocity, found: PullBack, thickness: float, c_bulk: float, c_long: float) -> float:
-    """Kanel's correction of the pull-back (m/s): what the elastic front eroded on its way through `thickness` (m); 0 without strength."""
+    """Kanel's correction of the pull-back velocity, m/s, to be added to it; 0 for a material without strength.
+
+    time, velocity   (n,) s and (n,) m/s: the record
+    found            its `PullBack`
+    thickness        of the spalled layer, m
+    c_bulk, c_long   bulk and longitudinal sound speed, m/s
+    """
     return erosion(time, velocity, found, thickness / c_bulk - thickness / c_long)
 
 
 def erosion(time, velocity, found: PullBack, lead: float) -> float:
-    """What a front that gains `lead` (s) on the tension ahead of it took from the pull-back, m/s (Kanel's formula).
+    """Kanel's correction of the pull-back velocity, m/s, for an elastic front that gains the time `lead` (s) on the tension ahead of it.
 
-    time (n,) s and velocity (n,) m/s of the record in which `found` was found. The slopes are those between 20 and 50 percent of
-    the drop and of the rebound.
+    time, velocity   (n,) s and (n,) m/s: the record
+    found            its `PullBack`
+
+    The slopes of the record are taken between 20 and 50 % of the drop and of the rebound.
     """
     time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
     slopes = []
@@ -243,5 +279,5 @@ def erosion(time, velocity, found: PullBack, lead: float) -> float:
 
 
 def spall_thickness(period: float, c_long: float) -> float:
-    """Thickness (m) of the spalled layer that rings with this period (s)."""
+    """Thickness in m of a spalled layer that rings with this period (s), for the longitudinal sound speed c_long (m/s)."""
     return 0.5 * c_long * period

@@ -11,7 +11,15 @@ from hugoniot.laws.strength.contract import STRENGTH
 
 @dataclass(frozen=True)
 class Source:
-    """Provenance of one constant: `status` is verified, corrected, derived, recalled (unverified against print) or user."""
+    """Where one constant comes from.
+
+    quantity      the constant, such as "eos.c0"
+    value, unit   as in the source
+    source        the publication
+    via           the file or collection through which it was obtained, or ""
+    status        "verified", "corrected", "derived", "recalled" (quoted from memory, not checked against the source) or "user"
+    note          remarks, or ""
+    """
 
     quantity: str
     value: float | str
@@ -34,13 +42,17 @@ GRAINS_OVER_SERIES = ("grain_contact is based on a truncated cold curve, too sof
 
 @dataclass(frozen=True)
 class Material:
-    """eos, strength, fracture, burn: parameter tuples of registered laws (all but `eos` may be None).
+    """The laws of one material, with their constants in SI.
 
-    valid_up_to   highest particle velocity (m/s) the equation of state's data reach; None where no source states it
-    unreacted     of an explosive, whose `eos` are the products: equation of state before it burns (None: not known)
-    mixture       name of the closure that joins both while it burns (None: the burn law's usual one, `materials.burning`)
-    detonation_energy   chemical energy, J/kg (None: from the reference states of the two laws)
-    reference_state     "rolling" or "frozen": where the isentrope of reactants in thermal isolation starts (None: it rolls)
+    eos                 parameters of the equation of state; of an explosive, that of its products
+    strength, fracture, burn   parameters of these laws, or None
+    valid_up_to         highest particle velocity of the data behind the equation of state, m/s; None: not known
+    sources             a `Source` for each constant
+    warnings            texts to print when the material is used
+    unreacted           parameters of the equation of state of an explosive before it burns, or None
+    mixture             how reactants and products share a zone; None: chosen by the burn law
+    detonation_energy   chemical energy per mass, J/kg; None: from the two equations of state
+    reference_state     "rolling" or "frozen", see the deck reference; None: rolling
     """
 
     name: str
@@ -57,7 +69,7 @@ class Material:
     reference_state: str | None = None
 
     def laws(self) -> dict[str, str]:
-        """Family -> name of the law used; of an explosive "eos" are the products, "unreacted" is the law before burning."""
+        """Names of the laws: {family: name}, with the families eos, strength, fracture, burn and unreacted that the material has."""
         found = {"eos": EOS.of(self.eos).name}
         if self.strength is not None:
             found["strength"] = STRENGTH.of(self.strength).name

@@ -31,15 +31,28 @@ GROUPS = ("snapshots", "gauges", "budget", "peaks", "events")
 
 
 def load(folder, partial: bool = False) -> "Run":
-    """The run in `folder`. Raises `FileTrouble` if there is none, or it is unfinished or damaged.
+    """Open the folder of a finished run, and return it as a `Run`.
 
-    partial   read what can still be read of a damaged result: columns whose own checksums agree; names and texts are not guaranteed
+    partial   whether a damaged result is read as far as possible: columns whose own checksums agree; names and texts may be wrong
+
+    Raises `FileTrouble` if there is no run in the folder, or if it is unfinished or damaged.
+
+    >>> run = hugoniot.load("flyer.run")
+    >>> run.summary["status"]
+    'done'
     """
     return Run(folder, partial)
 
 
 class Run:
-    """The results of one run, read from its folder on demand; `partial` as for `load`."""
+    """The results of a run, read from its folder. All numbers are in SI.
+
+    Records are available as xarray Datasets (`gauges`, `snapshots`, `budget`, `peaks`, `events`) and as plain arrays (`arrays`, `gauge`).
+    The files are checked against the checksums of the run before they are read, and they are never changed.
+
+    folder    the run folder
+    partial   as for `load`
+    """
 
     plot: Any   # the pictures of this run: the room `plotting`, a layer above, puts it here
 
@@ -58,7 +71,7 @@ class Run:
 
     @cached_property
     def summary(self) -> dict:
-        """The contents of summary.json: status, errors of mass, momentum and energy, cycles, times."""
+        """Contents of summary.json, such as title, status, number of time steps, and errors of mass, momentum and energy."""
         path = self.folder / "summary.json"
         with legible(path):
             data = read_regular(path)
@@ -71,7 +84,7 @@ class Run:
 
     @cached_property
     def fronts(self) -> dict[str, np.ndarray]:
-        """Columns of fronts.csv (solver `fronts` only, else empty): `kind` as text, the others as numbers in SI units."""
+        """Columns of fronts.csv, which the solver fronts writes: `kind` as texts, all others as numbers in SI; empty for other solvers."""
         path = self.folder / "fronts.csv"
         if not path.is_file():
             if "fronts.csv" in self.summary.get("sha256", {}):
@@ -108,12 +121,12 @@ class Run:
 
     @property
     def setup(self) -> dict:
-        """The problem that was run: regions, boundaries, gauges, materials with every constant and its source, references."""
+        """Description of the problem: regions, boundaries, gauges, and materials with every constant and its source."""
         return self._setup[0]
 
     @property
     def deck(self) -> str:
-        """The text of the deck with every default written out."""
+        """Text of the deck with every default written out, in SI."""
         return self._setup[1]
 
     def _check(self, name: str) -> None:
@@ -179,21 +192,24 @@ class Run:
         return self._tables[group]
 
     def arrays(self, group: str) -> Columns:
-        """Columns of `snapshots`, `gauges`, `budget`, `peaks` or `events` by name, in SI, each read when it is first used.
+        """Columns of one group (`snapshots`, `gauges`, `budget`, `peaks` or `events`) by name, as arrays in SI.
 
-        KeyError for any other group.
+        Each column is read when it is first used. Raises KeyError for an unknown group.
         """
         return self._table(group)[0]
 
     def unit(self, group: str, name: str) -> str:
-        """SI unit of one column of a group, "" if it has none; KeyError names the columns there are."""
+        """SI unit of a column of a group as text, "" for numbers without one. Raises KeyError with the known columns for an unknown one."""
         attributes = self._table(group)[1]
         if name not in attributes:
             raise KeyError(f"no column '{name}' in {group}; it has: {', '.join(attributes)}")
         return attributes[name].get("units", "")
 
     def dataset(self, group: str):
-        """One group as an xarray Dataset with `units` and `long_name`. Large columns are read only where their values are used."""
+        """One group as an xarray Dataset; each variable has the attributes `units` and `long_name`.
+
+        Large columns are read only where their values are used.
+        """
         from hugoniot.output.datasets import dataset
 
         values, attributes, dims = self._table(group)
@@ -205,31 +221,31 @@ class Run:
 
     @cached_property
     def gauges(self):
-        """Gauge records (time, gauge)."""
+        """Records of the gauges: a Dataset over (time, gauge)."""
         return self.dataset("gauges")
 
     @cached_property
     def snapshots(self):
-        """Zone fields (time, zone), with region, centre at t = 0 and mass of each zone."""
+        """Fields of the zones: a Dataset over (time, zone) with the region, the centre at t = 0 and the mass of each zone."""
         return self.dataset("snapshots")
 
     @cached_property
     def budget(self):
-        """Energy and momentum (time) or (time, region)."""
+        """Energies and momentum: a Dataset over (time) or (time, region)."""
         return self.dataset("budget")
 
     @cached_property
     def peaks(self):
-        """Extreme values reached in each zone (zone)."""
+        """Extreme values that each zone reached: a Dataset over (zone)."""
         return self.dataset("peaks")
 
     @cached_property
     def events(self):
-        """What happened: time, cycle, kind, text, numbers (JSON)."""
+        """Events, such as voids opened: a Dataset over (event) with time, cycle, kind, text and numbers (as JSON)."""
         return self.dataset("events")
 
     def gauge_names(self) -> list[str]:
-        """Names of the gauges, in the order of the deck; free surfaces last."""
+        """Names of the gauges in the order of the deck, followed by those of free surfaces that have no gauge in the deck."""
         names = [str(name) for name in self.arrays("gauges")["gauge"]]
         pairs = {} if self.partial else sides(self.setup["gauges"])
         lost = [whole for side, whole in pairs.items() if side in names and whole not in names]
@@ -238,7 +254,15 @@ class Run:
         return names
 
     def gauge(self, field: str, name: str | None = None) -> tuple[np.ndarray, np.ndarray]:
-        """(time (n,) s, value (n,) SI) of one field at one gauge; the first gauge if none is named."""
+        """Record of one field at one gauge: arrays (time (n,) in s, value (n,) in SI).
+
+        field   name of a field, such as "velocity" or "stress"
+        name    name of the gauge (default: the first one)
+
+        Raises KeyError with the known names for an unknown gauge or field.
+
+        >>> time, stress = run.gauge("stress", "2 mm into target")
+        """
         rows, names = self.arrays("gauges"), self.gauge_names()
         name = names[0] if name is None and names else name
         if name not in names:

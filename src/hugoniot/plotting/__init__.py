@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def _plot(run: Run) -> "RunPlots":
-    """Plots of this run: `run.plot.xt("pressure")` and the other methods return matplotlib axes."""
+    """Pictures of this run: run.plot.xt("pressure") draws a wave diagram and returns its matplotlib axes."""
     from hugoniot.plotting.accessor import RunPlots
 
     return RunPlots(run)

@@ -7,39 +7,39 @@ from hugoniot.plotting.yield_plane import pi_plane
 
 
 class RunPlots:
-    """Pictures of a `Run`; see the functions of the same names for their options."""
+    """Pictures of a `Run`, drawn with matplotlib. Every method returns the axes; `ax=` draws into axes of yours."""
 
     def __init__(self, run):
         self._run = run
 
     def xt(self, field: str = "stress", **options):
-        """Wave diagram: a zone field over position and time."""
+        """Wave diagram: a field of the zones over position and time."""
         return xt(self._run, field, **options)
 
     def gauge(self, field: str = "stress", names=None, **options):
-        """A field at the gauges over time."""
+        """A field over time at the gauges `names` (default: all)."""
         return records.gauge(self._run, field, names if names is None or isinstance(names, (list, tuple)) else [names], **options)
 
     def pi_plane(self, names=None, **options):
-        """Stress deviators at the gauges in the pi-plane, where the yield surface is a circle."""
+        """Stress deviators at the gauges `names` in the pi-plane, in which the yield surface is a circle."""
         return pi_plane(self._run, names if names is None or isinstance(names, (list, tuple)) else [names], **options)
 
     def free_surface(self, name: str | None = None, **options):
-        """Free-surface velocity with the pull-back marked; `delay` (s) shows it through a VISAR."""
+        """Free-surface velocity with its pull-back; `delay` (s) shows it as a VISAR with this delay records it."""
         return records.free_surface(self._run, name, **options)
 
     def profile(self, field: str | None = None, time=None, **options):
-        """A zone field over position at one or more times (s); of two dimensions along a line (`start`, `end`)."""
+        """A field of the zones over position at one or more times (s); in two dimensions along a line from `start` to `end` (m)."""
         if "axes" in self._run.setup:
             return plane.line_profile(self._run, field or "pressure", time, **options)
         return records.profile(self._run, field or "stress", time, **options)
 
     def map(self, field: str = "pressure", time=None, **options):
-        """Two dimensions: a field over the plane at one time."""
+        """A field over the plane at one time (s), in two dimensions."""
         return plane.map_(self._run, field, time, **options)
 
     def peaks(self, field: str = "stress", **options):
-        """The extreme value of a field that each zone met, over its place at t = 0."""
+        """Extreme value of a field that each zone reached, over its position at t = 0."""
         return records.peaks(self._run, field, **options)
 
     def budget(self, **options):
@@ -51,7 +51,7 @@ class RunPlots:
         return records.errors(self._run, **options)
 
     def setup(self, **options):
-        """The set-up to scale."""
+        """The bodies at t = 0, to scale."""
         if "axes" in self._run.setup:
             return plane.plane_setup(self._run, **options)
         return setup(self._run, **options)

@@ -26,9 +26,13 @@ LARGEST = 20_000_000  # characters: a deck with long tables, not a file given by
 
 @dataclass(frozen=True)
 class Deck:
-    """A deck that was read: the problem, the same as text with every default written out (SI), and its warnings.
+    """A deck that was read and found valid.
 
-    text   what the user wrote; `name` what messages call it
+    problem    the `Problem` that it describes
+    resolved   text of the deck with every default written out, in SI
+    warnings   texts that point to likely mistakes
+    text       text of the deck as it was read
+    name       name of the deck in messages
     """
 
     problem: Any
@@ -39,11 +43,16 @@ class Deck:
 
 
 def read_deck(path: str | Path, overrides: dict[str, Any] | None = None, materials: Sequence[str | Path] = ()) -> Deck:
-    """Read a deck file.
+    """Read and check a deck, and return it as a `Deck`.
 
-    overrides   dotted key -> value that replaces the deck's, such as {"region.flyer.velocity": "800 m/s"}
-    materials   files and folders of users' own materials; NAME.toml beside the deck is found without being listed
-    Raises `DeckError` with every problem found, `FileTrouble` if the file cannot be read.
+    path        the deck, a TOML file
+    overrides   keys to change, with dots, and their new values: {"region.flyer.velocity": "800 m/s"}
+    materials   files and folders with your own materials; a file NAME.toml beside the deck is found without being listed
+
+    Raises `DeckError` with all problems found, and `FileTrouble` if the file cannot be read.
+
+    >>> deck = read_deck("flyer.toml", {"region.flyer.velocity": "800 m/s"})
+    >>> run = hugoniot.run(deck)
     """
     path = Path(path)
     try:
@@ -101,7 +110,7 @@ def read_tables(raw: dict, text: str, name: str, overrides: dict[str, Any] | Non
 
 
 def write_deck(problem: Any, kind: str | None = None) -> str:
-    """The deck text of a problem: SI, every default written out; reading it gives an equal problem."""
+    """Text of a deck that describes a problem, with every default written out, in SI. Reading it gives an equal problem."""
     kind = kind or problem.solver.kind
     return "# Written by hugoniot: every default is written out, every number is SI.\n" + to_toml(solver_module(kind).write(problem))
 

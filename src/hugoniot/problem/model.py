@@ -1,6 +1,7 @@
-"""The problem: an immutable, complete description of one simulation in one dimension, in SI units.
+"""A one-dimensional simulation described by Python objects, which cannot be changed after they are made. All numbers are in SI.
 
-`read_deck` makes one from a deck; it can also be built directly in Python.
+`read_deck` makes a `Problem` from a deck, and `hugoniot.run` runs one. The meaning of each value is that of the key of the same name in the
+deck reference, which also says how values exclude each other. `write_deck` turns a problem into a deck that gives the same results.
 """
 
 from dataclasses import dataclass, field
@@ -16,8 +17,9 @@ GEOMETRIES = {"planar": 1, "cylindrical": 2, "spherical": 3}
 class Profile:
     """An initial state that varies along a region.
 
-    positions   m, increasing; () where the fields are expressions in x
-    fields      (name, values at the positions in SI, or an expression) of velocity, density, pressure, temperature, energy
+    positions   positions of the values, m, increasing; () if the fields are expressions in x
+    fields      pairs (name, values), with velocity, density, pressure, temperature or energy as name; values are a tuple of numbers in
+                SI, one per position, or an expression in x as text
     """
 
     positions: tuple[float, ...]
@@ -26,13 +28,17 @@ class Profile:
 
 @dataclass(frozen=True)
 class Region:
-    """A contiguous piece of one material at t = 0, divided into zones.
+    """A layer of one material at t = 0, divided into zones.
 
-    start, end      m, start < end; `start` is the end of the left neighbour where bodies touch, larger where a gap is left
-    zones           number of zones; the k-th is `ratio` times as wide as the one before
-    velocity        m/s; a number, or (u at start, u at end) for a linear profile
-    density, pressure, temperature, energy   any two fix the initial state (kg/m3, Pa, K, J/kg); none: the law's reference state;
-                    one alone goes with the reference density (pressure, temperature, energy) or zero pressure (density)
+    name            name of the region
+    material        key of `Problem.materials`
+    start, end      positions of its ends, m; `start` equals the `end` of the left neighbour, or is larger where a gap is left
+    zones           number of zones
+    ratio           width of each zone divided by that of its left neighbour
+    velocity        initial velocity, m/s: a number, or (velocity at start, velocity at end), linear in between
+    density, pressure, temperature, energy   initial state (kg/m3, Pa, K, J/kg): any two of them, or one, or none (the reference state).
+                    pressure, temperature or energy alone goes with the reference density, density alone with zero pressure
+    profile         a state that varies along the region, or None
     """
 
     name: str
@@ -51,13 +57,14 @@ class Region:
 
 @dataclass(frozen=True)
 class Pulse:
-    """A quantity as a function of time; every shape but "table" is zero before `start`.
+    """A velocity, pressure or other quantity as a function of time.
 
-    shape       "constant", "table", "exponential", "half_sine", "square", "ramp"
-    amplitude   SI value (unused by a table)
-    start       s
-    duration    s: decay time of the exponential, length of half sine and square, rise time of the ramp (which then stays)
-    times, values   of a table: s and SI values, linear between points and constant outside them
+    shape           "constant", "table", "exponential", "half_sine", "square" or "ramp"; all but the first two are zero before `start`
+    amplitude       largest value in SI; not used by "table"
+    start           time at which the pulse starts, s
+    duration        in s: time in which "exponential" falls to 1/e, length of "half_sine" and "square", rise time of "ramp", which then
+                    stays constant
+    times, values   of "table": times in s and values in SI, linear in between, constant outside
     """
 
     shape: str = "constant"
@@ -70,9 +77,10 @@ class Pulse:
 
 @dataclass(frozen=True)
 class Boundary:
-    """What happens at an end of the body.
+    """Condition at one end of the problem.
 
-    kind    "free", "fixed", "velocity" or "pressure" (both with a pulse), "transmitting", or "periodic" (then at both ends)
+    kind    "free", "fixed", "transmitting", "periodic" (then both ends must be), "velocity" or "pressure"
+    pulse   value over time of "velocity" (m/s) or "pressure" (Pa), None for the other kinds
     """
 
     kind: str = "free"
@@ -81,10 +89,12 @@ class Boundary:
 
 @dataclass(frozen=True)
 class Interface:
-    """How two neighbouring regions hold together.
+    """Whether two neighbouring regions can separate.
 
-    kind    "bonded" (opens only by fracture of a material), "separable" (opens under any tension), or "bond" (opens when the tensile
-            stress exceeds `strength`, Pa)
+    left, right   names of the regions
+    kind          "separable": opens under any tension; "bonded": opens only where a fracture law breaks a material; "bond": opens when the
+                  tensile stress exceeds `strength`
+    strength      tensile stress that breaks a "bond", Pa
     """
 
     left: str
@@ -95,12 +105,14 @@ class Interface:
 
 @dataclass(frozen=True)
 class Gauge:
-    """A Lagrangian gauge.
+    """A Lagrangian gauge, which moves with the material.
 
-    at   a position at t = 0 in m, or "free surface left", "free surface right", "<region>/<region>" for an interface,
-         or "<region>:left" and "<region>:right" for the end faces of a region
-    window, window_factor   at an interface: the name of the region (the last at this end) that an interferometer looks through, and the
-                            constant a of its refractive index n = a + b rho; the gauge then also records `apparent_velocity`
+    name            name of the gauge
+    at              position at t = 0 in m, or one of the texts "free surface left", "free surface right", "LEFT/RIGHT" (the interface of
+                    two regions), "REGION:left" and "REGION:right" (the ends of a region)
+    window          name of the first or last region, through which an interferometer looks at an interface; "" for none. The gauge then
+                    also records `apparent_velocity`
+    window_factor   constant a of the window's refractive index n = a + b rho
     """
 
     name: str
@@ -111,7 +123,11 @@ class Gauge:
 
 @dataclass(frozen=True)
 class Lighting:
-    """A detonator of an explosive with programmed burn: its position at t = 0 (m, inside the explosive or at its end) and time (s)."""
+    """A detonator, which starts a programmed burn.
+
+    position   position at t = 0, m, inside the explosive or at its end
+    time       time at which it fires, s
+    """
 
     position: float
     time: float = 0.0
@@ -119,11 +135,17 @@ class Lighting:
 
 @dataclass(frozen=True)
 class SolverOptions:
-    """The solver and its options, named as under [solver] in a deck.
+    """The solver and its options.
 
-    kind        name of the solver
-    options     further options of this solver, such as heat_flux of lagrange1d
-    viscosity   (law name, {parameter: value}) of the artificial viscosity; None: the default
+    kind           "lagrange1d", "fronts" or "shock_structure"
+    integrator     of lagrange1d: "compatible" or "wilkins"
+    courant        Courant number; None: the default of the solver
+    initial_step, largest_step   first time step and upper limit of the time step, s; None: not prescribed
+    growth         largest ratio of a time step to the one before
+    viscosity      artificial viscosity of lagrange1d, as (name of the law, {parameter: value}); None: the default
+    threads        number of threads
+    max_cycles     number of time steps after which the run stops; None: no limit
+    options        the keys of [solver.options] in a deck of the solver
     """
 
     kind: str = "lagrange1d"
@@ -140,10 +162,14 @@ class SolverOptions:
 
 @dataclass(frozen=True)
 class OutputOptions:
-    """What a run stores.
+    """What a run stores, and how often.
 
-    snapshots   interval in s, or a list of times
-    fields      names of the fields to store (empty: the default set)
+    snapshots            time between snapshots in s, or a tuple of times; None: a hundredth of the stop time
+    fields               names of the fields in each snapshot; (): the usual ones of the solver
+    gauge_interval       time between samples of the gauges in s; 0: every time step
+    checkpoint_seconds   wall-clock time between checkpoints, s
+    checkpoint_cycles    number of time steps between checkpoints; None: by wall-clock time only
+    report               whether report.html is written
     """
 
     snapshots: float | tuple[float, ...] | None = None
@@ -156,9 +182,11 @@ class OutputOptions:
 
 @dataclass(frozen=True)
 class BodyForce:
-    """A force on every mass, as an acceleration (m/s2, towards larger positions) over time.
+    """A force on all material.
 
-    exponent, radius   in curved geometry the acceleration is multiplied by (r/radius)^exponent; None in planar geometry
+    acceleration       m/s2 over time, positive towards larger positions
+    exponent, radius   in curved geometry: the field is acceleration (r/radius)^exponent, with `radius` in m; None in planar geometry, where
+                       the field is uniform
     """
 
     acceleration: Pulse
@@ -170,9 +198,13 @@ class BodyForce:
 class HeatSource:
     """Energy supplied to a region from outside.
 
-    kind                "power", W/kg where the profile is 1, or "intensity", W/m2 through the face of the region on `side`
-    absorption_length   m: depth over which the intensity falls to 1/e; None: the energy is spread evenly, or as the table says
-    depths, weights     table of the energy per mass at depths below that face at t = 0 (m): linear between its points, zero beyond
+    region              name of the region, whose material must not burn
+    kind                "power" (W/kg) or "intensity" (W/m2, through the face of the region on `side`)
+    pulse               power or intensity over time
+    side                "left" or "right": the face from which depths are measured
+    absorption_length   of "intensity": depth in m over which it falls to 1/e; None: as `depths` say, or evenly over the mass
+    depths, weights     depths in m at t = 0, and a number at each: with "power" a factor of it, with "intensity" the relative energy per
+                        mass; linear in between, zero outside
     """
 
     region: str
@@ -186,7 +218,20 @@ class HeatSource:
 
 @dataclass(frozen=True)
 class Problem:
-    """A whole problem. `transport` maps a material to its physical "viscosity", "conduction", "bulk_ratio" and "bulk_viscosity"."""
+    """A one-dimensional simulation.
+
+    title             title of the report and plots
+    geometry          "planar", "cylindrical" or "spherical"
+    stop_time         time at which the run ends, s
+    regions           `Region` objects from left to right
+    materials         {name: `Material`} of all regions
+    left, right       the `Boundary` at each end
+    interfaces, gauges, lighting, heat_sources   tuples of `Interface`, `Gauge`, `Lighting` and `HeatSource` objects, possibly empty
+    body_force        a `BodyForce`, or None
+    solver, output    `SolverOptions` and `OutputOptions`
+    transport         {name of a material: {"viscosity", "conduction", "bulk_ratio", "bulk_viscosity"}}: physical viscosity and heat
+                      conduction, with the laws as tables {"law": name, parameter: value}
+    """
 
     title: str
     geometry: str
@@ -206,5 +251,5 @@ class Problem:
 
     @property
     def dimension(self) -> int:
-        """1 planar, 2 cylindrical, 3 spherical: the volume element is r^(d-1) dr."""
+        """1 in planar, 2 in cylindrical and 3 in spherical geometry: d of the volume element r^(d-1) dr."""
         return GEOMETRIES[self.geometry]

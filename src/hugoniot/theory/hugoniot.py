@@ -22,15 +22,20 @@ _MODES = {"pressure": jump.BY_PRESSURE, "particle_velocity": jump.BY_PARTICLE_VE
 
 
 def shock(material, initial: Initial | None = None, *, direction: int = 1, once: bool = False, **given) -> States:
-    """States behind a shock.
+    """States behind a shock that runs into a given state.
 
-    initial     state ahead of the shock, an `Initial` (density, pressure, energy, velocity, heat); default: the reference state
+    material    a `Material`, or the parameters of an equation of state
+    initial     the state ahead (default: the reference state, at rest)
+    given       exactly one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an array;
+                velocities are those in the laboratory
     direction   +1: the shock runs towards +x; -1: towards -x
-    once        True: up to ten thousand states are computed without compiling the search, which takes seconds
-    given       one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an array;
-                velocities are in the laboratory frame
+    once        True saves the compilation, which takes seconds, if only one curve of up to ten thousand states is needed
 
-    Returns `States` of the shape of the input. Raises OutOfRange with the limit that is exceeded, or NoSolution.
+    Returns `States` of the shape of the number or array given. Raises `OutOfRange` with the limit if a state is outside the range of the
+    law, and `NoSolution` if none is found.
+
+    >>> shock(copper, particle_velocity=500.0).pressure     # Pa
+
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)

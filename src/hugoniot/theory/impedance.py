@@ -26,12 +26,12 @@ from hugoniot.theory.states import States, law_of
 
 @dataclass(frozen=True)
 class Match:
-    """The result of one interaction of a wave with an interface.
+    """What happens when a wave reaches an interface.
 
-    interface               number of the interface (0: flyer and first target)
-    left, right             states on its two sides afterwards; a state behind a shock has its shock_velocity
-    wave_left, wave_right   outgoing waves: shock, fan or none
-    separated               whether the two sides have separated
+    interface               number of the interface; 0 is that of the flyer and the first layer
+    left, right             `States` on its two sides afterwards; a state behind a shock has a shock_velocity
+    wave_left, wave_right   the outgoing waves: "shock", "fan" or "none"
+    separated               whether the two sides separate
     """
 
     interface: int
@@ -43,24 +43,26 @@ class Match:
 
     @property
     def pressure(self) -> float:
-        """Pa."""
+        """Pressure at the interface, Pa."""
         return self.right.pressure
 
     @property
     def particle_velocity(self) -> float:
-        """m/s."""
+        """Particle velocity at the interface, m/s."""
         return self.right.particle_velocity
 
 
 def match(layers: Sequence, velocity: float, *, initial: Sequence[States] | None = None) -> list[Match]:
-    """The states at every interface of a stack, in the order in which the first wave reaches them.
+    """Solve the impedance match of an impact on a stack of layers.
 
-    layers     flyer first, then the targets, at least two: materials or parameters of equations of state
-    velocity   velocity of the flyer towards the targets, m/s
-    initial    states before the impact; default: the reference states, the flyer at `velocity`
+    layers     materials or parameters of equations of state: the flyer first, then the layers that it hits, at least two in all
+    velocity   of the flyer towards the layers, m/s
+    initial    states before the impact (default: the reference states, with the flyer at `velocity`)
 
-    Returns a list of `Match`. Raises OutOfRange if the flyer does not reach the target or a state lies outside the range of an equation
-    of state.
+    Returns a list of `Match`, one for each interface, in the order in which the first shock reaches them. Raises `OutOfRange` if the flyer
+    does not move towards the layers, or if a state is outside the range of a law.
+
+    >>> match([copper, aluminium], 1000.0)[0].pressure     # Pa
     """
     if len(layers) < 2:
         raise OutOfRange("an impact needs a flyer and at least one target")
@@ -102,7 +104,13 @@ def ring_up(layers: Sequence, velocity: float, *, layer: int = 1, bounces: int =
 
 
 def free_surface(material, state: States, *, to: float = 0.0) -> States:
-    """The state at a free surface after a shock has reached it: released isentropically to the pressure `to` (Pa)."""
+    """The state at a free surface after a shock has reached it: the isentropic release to the pressure `to` (Pa).
+
+    material   a `Material`, or the parameters of an equation of state
+    state      the state behind the shock
+
+    Returns `States`.
+    """
     return release(law_of(material), state, to, direction=-1)
 
 

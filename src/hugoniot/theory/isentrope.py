@@ -21,14 +21,16 @@ AMBIENT = 1e3  # Pa: a law with more than that at rest is a gas
 
 
 def isentrope(material, start: States | None = None, *, direction: int = 1, **given) -> States:
-    """States on the isentrope through a state.
+    """States on the isentrope through a given state.
 
-    start       a single state; default: the reference state
-    direction   +1: a wave towards +x, in which release lowers the particle velocity; -1: a wave towards -x, as from a free surface on the
-                right, in which release raises it
-    given       one of density (kg/m3), pressure (Pa), particle_velocity (m/s): a number or an array
+    material    a `Material`, or the parameters of an equation of state
+    start       a single state (default: the reference state, at rest)
+    given       exactly one of density (kg/m3), pressure (Pa), particle_velocity (m/s): a number or an array
+    direction   direction of the wave that makes the change. +1: towards +x, so that release lowers the particle velocity; -1: towards -x,
+                so that release raises it, as at a free surface on the right
 
-    Raises OutOfRange where the isentrope ends (a tension that is not supported, a limit of the equation of state), with the last state.
+    Returns `States` of the shape of the number or array given. Raises `OutOfRange` with the last state where the isentrope ends, at a
+    tension that is not supported or at a limit of the law.
     """
     par = law_of(material)
     start = start or reference(par)
@@ -61,10 +63,14 @@ def reference(material, velocity: float = 0.0) -> States:
 
 
 def state(material, velocity: float = 0.0, **given) -> States:
-    """A single state from two of density (kg/m3), pressure (Pa), energy (J/kg) and temperature (K).
+    """A single state of a material.
 
-    If only one is given, the density is the reference density, or the pressure is zero if the density is given. Without any it is the
-    reference state. `velocity` is the particle velocity, m/s.
+    material   a `Material`, or the parameters of an equation of state
+    velocity   particle velocity, m/s
+    given      at most two of density (kg/m3), pressure (Pa), energy (J/kg), temperature (K). None: the reference state; density alone:
+               zero pressure; one of the others alone: the reference density
+
+    Returns `States` of numbers. Raises `OutOfRange` for a state that the material cannot have.
     """
     par = law_of(material)
     if stray := set(given) - {"density", "pressure", "energy", "temperature"}:
@@ -92,14 +98,15 @@ def state(material, velocity: float = 0.0, **given) -> States:
 
 
 def release(material, start: States, to: float = 0.0, *, direction: int = -1, points: int = 1) -> States:
-    """The release isentrope from a state down to a pressure.
+    """States on the release isentrope from a state down to a pressure.
 
+    material    a `Material`, or the parameters of an equation of state; a porous law releases with the compaction that was reached
     start       a single state
     to          final pressure, Pa
-    direction   -1: the release runs towards -x, as from a free surface or a softer layer on the right; +1: towards +x
-    points      number of states, evenly spaced in pressure; 1: the end only
+    direction   -1: the release runs towards -x, as from a free surface on the right; +1: towards +x
+    points      1: the final state alone; more: this number of states, evenly spaced in pressure
 
-    A material with crushed pores is released elastically, with the compaction that the loading to `start` has produced.
+    Returns `States`. Raises `OutOfRange` if `to` is above the pressure of `start`, or where the isentrope ends before `to`.
     """
     material = elastic(history(material, start))
     if to > start.pressure:

@@ -51,10 +51,14 @@ class Wave:
 
 @dataclass(frozen=True)
 class Riemann:
-    """The solution: two waves and, between them, a contact with a velocity (m/s) and a pressure (Pa), or a vacuum (both are then per side).
+    """Solution of a Riemann problem: a wave to each side, and between them a contact or a vacuum.
 
-    Call it with (x, t), m and s, or with x/t to sample it: it returns a dict of the arrays density, pressure, velocity, energy,
-    sound_speed and side (-1 left, 0 vacuum, +1 right).
+    left, right          the waves
+    pressure, velocity   at the contact, Pa and m/s; with a vacuum see `left` and `right` instead
+    vacuum               whether the materials have separated
+
+    Called with positions x (m, from the initial interface) and a time t (s) it returns a dict of arrays: density, pressure, velocity and
+    energy in SI, and `side` (-1 left, 0 vacuum, +1 right).
     """
 
     left: Wave
@@ -64,7 +68,7 @@ class Riemann:
     vacuum: bool
 
     def __call__(self, x, t=1.0) -> dict:
-        """The fields at positions x (m, the diaphragm at 0) and time t > 0 (s)."""
+        """The fields at positions x (m) and time t (s, above 0)."""
         if not t > 0.0:
             raise OutOfRange(f"a Riemann solution needs a time above 0 s, got {t}")
         speed = np.asarray(x, float) / t
@@ -86,7 +90,7 @@ class Riemann:
 
     @property
     def jumps(self) -> list[tuple[str, float]]:
-        """(what, velocity in m/s) of every edge from left to right."""
+        """Edges of the waves from left to right: pairs (name, velocity in m/s)."""
         edges = []
         for wave in (self.left, self.right):
             names = {"shock": [("shock", wave.head)], "fan": [("fan head", wave.head), ("fan tail", wave.tail)], "none": []}[wave.kind]
@@ -98,13 +102,16 @@ class Riemann:
 
 
 def riemann(left, left_state: States, right, right_state: States, *, bonded: bool = False) -> Riemann:
-    """Solve the Riemann problem of two materials.
+    """Solve the Riemann problem of two materials in contact.
 
     left, right               materials, or parameters of equations of state
-    left_state, right_state   single states, made by `theory.isentrope.state` or taken from an earlier result
-    bonded                    True: the contact supports tension; False: bodies in tension separate
+    left_state, right_state   single states, such as `state` returns
+    bonded                    True: the contact supports tension; False: the materials separate under tension
 
-    Raises OutOfRange where a state lies outside the range of an equation of state, NoSolution if the curves do not meet.
+    Returns a `Riemann`. Raises `OutOfRange` if a state is outside the range of a law, and `NoSolution` if the curves do not meet.
+
+    >>> found = riemann(copper, state(copper, velocity=500.0), water, state(water))
+    >>> found.pressure, found.velocity     # Pa, m/s
     """
     sides = (_Side(law_of(left), left_state, -1), _Side(law_of(right), right_state, 1))
     with np.errstate(all="ignore"):

@@ -91,12 +91,12 @@ class States:
 
     @property
     def temperature(self):
-        """K, or None where the law has no temperature."""
+        """Temperature, K; None if the law gives no temperature."""
         return self._derived("temperature")
 
     @property
     def entropy(self):
-        """J/(kg K) up to an additive constant, or None where the law has no entropy in closed form."""
+        """Specific entropy up to an additive constant, J/(kg K); None if the law has no entropy in closed form."""
         return self._derived("entropy")
 
     @property
@@ -114,14 +114,14 @@ class States:
 
     @property
     def adiabatic_exponent(self) -> Any:
-        """rho c^2 / p."""
+        """Adiabatic exponent rho c^2 / p."""
         square = np.square(self.sound_speed)
         with np.errstate(divide="ignore", invalid="ignore"):
             value = np.asarray(self.density) * square / np.asarray(self.pressure)
         return value if value.ndim else float(value)
 
     def table(self, *more: str) -> dict:
-        """Field name -> value (numbers or arrays, SI): the columns of a CSV file and the keys of JSON output."""
+        """The main quantities in SI, {name: number or array}, as the command line writes them to CSV and JSON; `more` names others."""
         names = ["pressure", "density", "particle_velocity", "shock_velocity", "specific_internal_energy", "temperature", "sound_speed"]
         found = {name: getattr(self, name) for name in [*names, *more]}
         return {**found, **self.extra}

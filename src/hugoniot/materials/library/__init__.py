@@ -104,7 +104,15 @@ def names() -> list[str]:
 
 
 def find(name: str, brief: bool = False) -> Material:
-    """The material of that name, alias, or row id; `UnknownMaterial` with the nearest names, which `brief` does not look for."""
+    """Return a `Material` of the library.
+
+    name    name, alias or id of a row, such as "copper", "Cu" or "U007"
+    brief   whether the search for similar names, which the error message offers, is skipped
+
+    Raises `UnknownMaterial`, a `DeckError`, for an unknown name.
+
+    >>> copper = hugoniot.materials.library.find("copper")
+    """
     return entry(name, brief=brief).material
 
 
