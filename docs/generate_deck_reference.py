@@ -123,8 +123,8 @@ CUES = (r"(\b(?:[Nn]eeds|[Ee]xcludes|this or|exceeds|equals|[Gg]ive(?: exactly o
         r"relative to|away from|about|sum of|one of|nor|either|at which|between(?= at)|multiplied by|at most two of) )")
 FIRST = "lagrange1d"
 PULSES = ("PulseTable", "HistoryTable")
-CODE = re.compile(r'`[^`]*`|\[\[?[A-Za-z][\w.]*\]\]?|\{law = [^}]*\}|law = "[^"]*"|"[^"]*"|\bhugoniot (list \w+|check|init|resume|run)|'
-                  r'\w+ = (true|false)|(?<![\w./])[a-z]+_\w+')
+CODE = re.compile(r'`[^`]*`|\[\[?[A-Za-z][\w.]*\]\]?|(?:\w+ = )?\{law = [^}]*\}|law = "[^"]*"|"[^"]*"|'
+                  r'\bhugoniot (list \w+|check|init|resume|run)|\w+ = (true|false)|(?<![\w./])[a-z]+_\w+')
 
 
 def coded(text: str, names=()) -> str:
@@ -188,7 +188,7 @@ def shown(value) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, float):
-        return f"{value:.4g}"
+        return f"{value:.6g}"
     if isinstance(value, (list, tuple)):
         return f"[{', '.join(shown(v) for v in value)}]"
     return f'"{value}"' if isinstance(value, str) else str(value)
@@ -259,7 +259,7 @@ def sections(schema: dict) -> dict[str, tuple[str, dict]]:
 def solver_section(kind: str) -> str:
     """Everything a deck of one solver may say, laws aside; what it shares with the first solver is only named."""
     schema, first = json_schema(kind), json_schema(FIRST)
-    text = [f"## Decks of {kind}\n", inspect.cleandoc(solver_module(kind).Model.__doc__ or "") + "\n"]
+    text = [f"## Decks of {kind}\n", coded(inspect.cleandoc(solver_module(kind).Model.__doc__ or "")) + "\n"]
     mine, known = sections(schema), {} if kind == FIRST else {head: json.dumps(part) for head, (_, part) in sections(first).items()}
     same = [head for head, (_, part) in mine.items() if known.get(head) == json.dumps(part)]
     if same:

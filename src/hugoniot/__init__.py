@@ -1,8 +1,9 @@
 """hugoniot: a shock-physics workbench.
 
-`run` runs a deck, `resume` continues a run, `load` opens a run folder, `sweep` runs a deck many times, `fit` finds constants of a deck from
-measured records. The first three return a `Run`, the last two a Dataset; `run` also takes a `Problem`. Tools without
-a mesh are in `hugoniot.theory`, materials in `hugoniot.materials.library`, exact solutions in `hugoniot.theory.exact`.
+`run` runs a deck or a `Problem`, `resume` continues an interrupted run, and `load` opens the folder of a run; each returns a `Run`.
+`sweep` runs a deck many times, and `fit` finds constants of a deck from measured records; each returns an xarray Dataset.
+Solutions without a mesh are in `hugoniot.theory`, exact solutions in `hugoniot.theory.exact`, materials in
+`hugoniot.materials.library`.
 """
 
 from typing import TYPE_CHECKING

@@ -43,21 +43,23 @@ _ROWS = (
     Field("temperature", "T", "K", "zone", "temperature", ("K", 1.0)),
     Field("plastic_strain", "eps_p", "1", "zone", "equivalent plastic strain", ("", 1.0)),
     Field("damage", "D", "1", "zone", "fracture damage", ("", 1.0)),
-    Field("compaction", "k", "1", "zone", "compaction of the pores (0 uncompacted, 1 closed)", ("", 1.0)),
+    Field("compaction", "k", "1", "zone", "compaction (0: pores uncompacted, 1: pores closed)", ("", 1.0)),
     Field("burn_fraction", "lambda", "1", "zone", "burn fraction", ("", 1.0)),
-    Field("reference_state", "k_r", "1", "zone", "reference state (0 no shock, 1 shock passing, 2 behind, 3 burning in it)",
+    Field("reference_state", "k_r", "1", "zone", "shock of the reactants (0 none yet, 1 passing, 2 passed, 3 passed while burning)",
           ("", 1.0)),
-    Field("eroded", "D_e", "1", "zone", "whether the zone has left the mesh", ("", 1.0)),
+    Field("eroded", "D_e", "1", "zone", "1 if the zone was removed from the mesh, else 0", ("", 1.0)),
     Field("plastic_work", "w_p", "J/kg", "zone", "plastic work", ("kJ/kg", 1e-3)),
     Field("viscous_work", "w_q", "J/kg", "zone", "work of the artificial viscosity", ("kJ/kg", 1e-3)),
-    Field("kinetic_energy", "k", "J/kg", "zone", "kinetic energy", ("kJ/kg", 1e-3)),
-    Field("momentum", "m_u", "kg m/s", "zone", "momentum of the zone (per m^2, per m and radian, or per steradian)", ("kg m/s", 1.0)),
-    Field("momentum_x", "m_x", "kg m/s", "zone", "momentum of the zone along x (per m, or per radian)", ("kg m/s", 1.0)),
-    Field("momentum_y", "m_y", "kg m/s", "zone", "momentum of the zone along y (per m, or per radian)", ("kg m/s", 1.0)),
+    Field("kinetic_energy", "e_k", "J/kg", "zone", "kinetic energy", ("kJ/kg", 1e-3)),
+    Field("momentum", "m_u", "kg m/s", "zone", "momentum of the zone (planar: per m^2, cylindrical: per m and radian, spherical: "
+        "per steradian)", ("kg m/s", 1.0)),
+    Field("momentum_x", "m_x", "kg m/s", "zone", "momentum of the zone along x (plane: per m, axisymmetric: per radian)", ("kg m/s", 1.0)),
+    Field("momentum_y", "m_y", "kg m/s", "zone", "momentum of the zone along y (plane: per m, axisymmetric: per radian)", ("kg m/s", 1.0)),
     Field("elastic_deviator_energy", "e_d", "J/kg", "zone", "elastic energy of distortion", ("kJ/kg", 1e-3)),
-    Field("pressure_work_and_heat", "w", "J/kg", "zone", "work of the pressure and heat received, since the start", ("kJ/kg", 1e-3)),
+    Field("pressure_work_and_heat", "w", "J/kg", "zone", "work of the pressure and heat received since the start", ("kJ/kg", 1e-3)),
     Field("entropy", "eta", "J/kg/K", "zone", "specific entropy, up to a constant of the material", ("J/kg/K", 1.0)),
-    Field("mass", "m", "kg", "zone", "zone mass (1D: per m^2, per m and radian, or per steradian; 2D: per m, or per radian)", ("kg", 1.0)),
+    Field("mass", "m", "kg", "zone", "mass of the zone (planar: per m^2, cylindrical: per m and radian, spherical: per steradian; "
+        "plane: per m, axisymmetric: per radian)", ("kg", 1.0)),
 )
 
 FIELDS = {row.name: row for row in _ROWS}

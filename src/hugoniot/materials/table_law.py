@@ -25,12 +25,16 @@ from hugoniot.materials.collect import Collector, printable
 LAW = "table"
 UNITS = {"file": "text", "rho0": "kg/m^3", "reference_temperature": "K", "density_range": "kg/m^3", "temperature_range": "K",
          "number": "1", "table": "1", "repair": "1", "least_sound_speed": "m/s"}
-MEANING = {"file": "the table: .csv, .h5 or SESAME-format ASCII, relative to this file", "rho0": "density at rest",
-           "reference_temperature": "temperature at rest", "density_range": "lowest and highest density to use",
-           "temperature_range": "lowest and highest temperature to use", "number": "material number in a SESAME file",
-           "table": "301 (total), 303 (ions with the cold curve), 304 (thermal electrons) or 305 (ions) of a SESAME file",
+MEANING = {"file": "name of the file, .csv, .h5 or SESAME-format ASCII, relative to the folder of the deck or material file",
+           "rho0": "reference density (default: that of zero pressure at the reference temperature)",
+           "reference_temperature": "reference temperature (default: 298.15 K)",
+           "density_range": "array of two: lowest and highest density to use",
+           "temperature_range": "array of two: lowest and highest temperature to use",
+           "number": "number of the material in a SESAME file that holds several",
+           "table": "number of the table in a SESAME file: 301 (total, the default), 303 (ions with the cold curve), 304 (thermal "
+                    "electrons) or 305 (ions)",
            "repair": "whether energies that do not rise with temperature are replaced by interpolation, with a warning",
-           "least_sound_speed": "lower bound of the sound speed, where the table has less or none (0: such a table is refused)"}
+           "least_sound_speed": "sound speed that is used where the table has a smaller one or none; 0: such a table is refused"}
 _KINDS = {"file": "string", "number": "integer", "table": "integer", "repair": "boolean",
           "density_range": "array", "temperature_range": "array"}
 _SUFFIXES = (".csv", ".h5", ".hdf5", ".ses", ".301", ".txt")

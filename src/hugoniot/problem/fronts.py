@@ -73,8 +73,8 @@ class SolverTable(Table):
 class Model(Table):
     """The solver `fronts` follows shocks, fans and contacts in one dimension as sharp fronts, without artificial viscosity.
 
-    Use it for reference solutions. Fracture laws are not supported, and `perfectly_plastic` is the only strength law. The zones of a region
-    say where fields are read; with mode cells they also set the fineness of the mesh.
+    Use it for reference solutions. Fracture laws and periodic ends are not supported, and `perfectly_plastic` is the only strength law.
+    The zones of a region say where fields are read; with mode cells they also set the fineness of the mesh.
     """
 
     title: str = Field("", max_length=200, description="title of the report and plots (default: the deck's file name)")

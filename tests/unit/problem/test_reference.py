@@ -7,6 +7,7 @@ from pathlib import Path
 from pace import PATIENCE
 
 from hugoniot.core.fields import FIELDS
+from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT
 from hugoniot.materials.tables import accepted, families
 from hugoniot.problem.editor_schema import json_schema
 from hugoniot.problem.solver_kinds import available_solvers
@@ -20,8 +21,9 @@ def test_every_key_law_parameter_and_field_is_in_the_reference(tmp_path):
     text = out.read_text(encoding="utf-8")
     wanted = {f"`{name}`" for name in FIELDS}
     for kind in available_solvers():
-        wanted |= {f"`{key}`" for key in json_schema(kind)["properties"]}
-    for registry in families().values():
+        schema = json_schema(kind)
+        wanted |= {f"`{key}`" for part in (schema, *schema["$defs"].values()) for key in part.get("properties", {})}
+    for registry in (*families().values(), TRANSPORT, CONDUCTION):
         for law in registry:
             wanted |= {f'law = "{law.name}"', *(f"`{name}`" for name in accepted(law)[0])}
     assert not {w for w in wanted if w not in text}

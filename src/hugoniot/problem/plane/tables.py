@@ -212,8 +212,8 @@ class LightingTable(Table):
     """A detonator: where and when a programmed burn starts. Every body of explosive with a programmed burn law needs one."""
 
     at: Place = Field(description="position at t = 0, in the explosive or on its edge; off the axis of axisymmetric geometry it is a ring")
-    to: Place | None = Field(None, description="second point; the detonators then form a straight line between at and to (default: "
-        "a single point)")
+    to: Place | None = Field(None, description="second point; the detonators then form a straight line between at and to (default: a "
+        "single point)")
     time: Time = Field(0.0, description="time at which the detonator fires")
 
 
@@ -257,7 +257,7 @@ class RigidTable(Table):
 
 
 class ViscosityTable(Table):
-    """Artificial viscosity. The linear coefficients multiply the sound speed, the quadratic ones the velocity jump."""
+    """Artificial viscosity. Linear coefficients weight the sound speed, quadratic ones the velocity jump."""
 
     kind: Literal["tensor", "edge", "herrmann"] = Field(
         "tensor", description="tensor: acts along both principal directions of the strain rate, each with its own length; edge: acts "
@@ -365,6 +365,7 @@ class Model(Table):
         description="what happens where surfaces meet, [[contact]]")
     rigid: list[RigidTable] = Field(default_factory=list, max_length=1000, description="rigid bodies, [[rigid]]")
     body_force: Acceleration = Field(
-        (0.0, 0.0), description="constant acceleration of all material along both coordinates; the radial one must be 0")
+        (0.0, 0.0), description="constant acceleration of all material along both coordinates; in axisymmetric geometry the radial one "
+        "must be 0")
     solver: SolverTable = Field(description="the solver and its options, [solver]")
     output: PlaneOutputTable = Field(default_factory=PlaneOutputTable, description="what is stored, [output]")  # type: ignore[arg-type]
