@@ -115,7 +115,7 @@ def _values(identity: str, family: str, law) -> tuple[dict[str, float], str]:
         card = cards.card(row, family)
     except ValueError:
         card = {}
-    doubt = next((text.partition(": ")[2] for text in row.marks if "DOUBT" in text), "")
+    doubt = row.doubt if "DOUBT:" in row.note else ""
     if doubt or not card or card.get("law") != law:
         return {}, doubt or "not a set of constants for the same law"
     return {f"{family}.{name}": float(source.value) for name, source in card.items() if not isinstance(source, str)

@@ -33,10 +33,10 @@ class Closure(NamedTuple):
         """The misfits in words."""
         parts = []
         if not math.isnan(self.velocity_misfit):
-            parts.append(f"D from the constants is {self.velocity:.0f} m/s, {100 * self.velocity_misfit:+.1f} % from the stated value")
+            parts.append(f"a detonation velocity of {self.velocity:.0f} m/s, {_beside(self.velocity_misfit)}")
         if not math.isnan(self.pressure_misfit):
-            parts.append(f"p is {self.pressure / 1e9:.1f} GPa, {100 * self.pressure_misfit:+.1f} %")
-        return "; ".join(parts)
+            parts.append(f"a CJ pressure of {self.pressure / 1e9:.1f} GPa, {_beside(self.pressure_misfit)}")
+        return " and ".join(parts)
 
 
 def misfits(row: Row, velocity: float, pressure: float) -> Closure:
@@ -47,6 +47,10 @@ def misfits(row: Row, velocity: float, pressure: float) -> Closure:
 def recorded_closure(row: Row) -> Closure | None:
     """The same of the CJ state recorded in the row; None where it gives no energy to close with. `dossier.checks` recomputes it."""
     return misfits(row, row["recorded_d"], row["recorded_p"]) if "recorded_d" in row else None
+
+
+def _beside(misfit: float) -> str:
+    return f"{abs(100 * misfit):.1f} % {'above' if misfit > 0.0 else 'below'} the stated value"
 
 
 def _misfit(found: float, stated: float | None) -> float:
@@ -65,17 +69,16 @@ def unreacted_pressure(identity: str) -> float:
 def marks(row: Row) -> tuple[str, ...]:
     """Sentences to show wherever the row is used; empty for a row without blemish."""
     found = list(row.marks)
-    name = f"{row.id} ({row.material})"
     if "states" in row and row["us_deviation"] > SCATTER_LIMIT * (row["c0"] + row["s"] * 0.5 * (row["up_min"] + row["up_max"])):
-        found.append(f"{name}: MISSES THE DATA: its shock velocities deviate from the {row['states']:g} measured states "
+        found.append(f"{row.title} misses the measured states: its shock velocities deviate from the {row['states']:g} states "
                      f"of the library by {row['us_deviation']:.0f} m/s (root mean square)")
     if row.table == "jwl" and row["role"] == "products":
         state = recorded_closure(row)
         if state is not None and not state.closes:
-            found.append(f"{name}: DOES NOT CLOSE: {state.misfit()}")
+            found.append(f"{row.title} does not reproduce its stated CJ state: its constants give {state.misfit()}")
     if (row.table == "jwl" and row["role"] == "unreacted") or (row.table == "ignition_growth" and "unreacted_a" in row):
         p = unreacted_pressure(row.id)
         if abs(p) > REST_LIMIT:
-            found.append(f"{name}: NOT AT REST: the published constants give {p / 1e6:.1f} MPa at V = 1 and 298 K; the energy at rest "
-                         "is taken where the pressure is zero")
+            found.append(f"{row.title} has no zero pressure at the reference density: its published constants give {p / 1e6:.1f} MPa at "
+                         "V = 1 and 298 K; the law shifts the reference energy so that the pressure is zero")
     return tuple(found)

@@ -20,10 +20,10 @@ _ROW = re.compile(r"\brow (U\d{3})\b")
 def reach(material: Material) -> str:
     """The range of a material's equation of state in words: its end and where that comes from, or that none is known."""
     if flagged(material.eos, "gas"):
-        return "a range in particle velocity does not apply to a gas or to detonation products"
+        return "a range of particle velocity does not apply to gases and detonation products"
     if material.valid_up_to is None:
         end = range_of_validity(material)
-        return f"not known; estimated: particle velocity up to {rounded(end.up)}, {end.why}; a run beyond that gives a warning"
+        return f"not stated; estimated as particle velocity up to {rounded(end.up)}, {end.why}; a run beyond this limit gives a warning"
     found = f"particle velocity up to {format_si(material.valid_up_to, 'm/s')}"
     source = next((s for s in material.sources if s.quantity == "valid_up_to" and s.value == material.valid_up_to), None)
     if source is None:
@@ -41,14 +41,14 @@ def reach(material: Material) -> str:
 
 
 def about(row: Row) -> str:
-    """Where the range of a Us-up row comes from: measured states and how they scatter about its line, or its source's statement."""
-    found = [f"row {row.id}"]
+    """Where the range of a Us-up row comes from: measured states and how they scatter about its curve, or its source's statement."""
     if "states" in row:
-        found.append(f"{row['states']:g} measured states from {format_si(row['up_min'], 'm/s')} up, whose shock velocities "
-                     f"deviate from its line by {format_si(row['us_deviation'], 'm/s', 3)} (root mean square)")
-        return ": ".join(found)
+        begin, deviation = format_si(row["up_min"], "m/s"), format_si(row["us_deviation"], "m/s", 3)
+        return (f"the range of the {row['states']:g} measured states of row {row.id}, which begin at {begin}; their shock velocities "
+                f"deviate from the curve of this row by {deviation}, root mean square")
+    found = [f"row {row.id}"]
     if "up_max" in row:
-        found.append(row.range_from() or "stated by its source")
+        found.append(row.range_from() or "as stated by its source")
     if "us_deviation" in row:
         found.append(f"with a deviation of the shock velocities of {format_si(row['us_deviation'], 'm/s', 3)}")
     return ", ".join(found)
@@ -58,5 +58,5 @@ def range_of(row: Row) -> str:
     """The range of a Us-up row by itself, in words."""
     ends = [format_si(row[name], "m/s") if name in row else "" for name in ("up_min", "up_max")]
     if not ends[1]:
-        return "not known" + (f" (from {ends[0]} on)" if row.get("up_min") else "")
+        return "not known" + (f" (data from {ends[0]})" if row.get("up_min") else "")
     return (f"{ends[0]} to {ends[1]}" if row.get("up_min") else f"up to {ends[1]}") + f" ({about(row)})"

@@ -5,13 +5,13 @@ from hugoniot.materials.material import Material, Source
 from hugoniot.materials.schema import UNVERIFIED
 from hugoniot.materials.tables import families, law_table
 
-MARKS = {"recalled": UNVERIFIED, "user": "user's own", "corrected": "a mistake in the file, corrected", "derived": "derived by the package",
-         "default": "default of the law"}
+MARKS = {"recalled": UNVERIFIED, "user": "user's own value", "corrected": "error in the file corrected", "derived": "computed by hugoniot",
+         "default": "default value"}
 
 
 def mark(status: str, note: str = "") -> str:
     """The word a surface shows beside a constant: empty for a verified one without doubt."""
-    doubt = "doubt" if "DOUBT" in note else "sources disagree" if "DISAGREES" in note else ""
+    doubt = "doubtful" if "DOUBT" in note else "sources disagree" if "DISAGREES" in note else ""
     return ", ".join(m for m in (MARKS.get(status, ""), doubt) if m)
 
 
@@ -46,7 +46,7 @@ def _source_of(quantity: str, name: str, value: float, source: Source | None, la
     unit = law.units.get(name, "1")
     if source is None or source.source == "not stated":
         if value in (law.defaults.get(name), getattr(law.parameters, "_field_defaults", {}).get(name)):
-            return Source(quantity, value, unit, f"default of the law {law.name}", status="default")
+            return Source(quantity, value, unit, f"default value of the law {law.name}", status="default")
         return source or Source(quantity, value, unit, "not stated")
     if isinstance(source.value, (int, float)) and abs(value - source.value) > 1e-9 * abs(source.value):
         return Source(quantity, value, unit, "not stated", note=f"replaces {source.value:g} of {source.source}")

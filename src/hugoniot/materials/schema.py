@@ -6,8 +6,8 @@ library and starting with the letter of its table, and says where its numbers co
     source    bibliographic origin as the public file states it
     via       the public file the numbers were read in (repository@commit:path)
     status    verified (read there, units converted) | corrected (a slip of that file was repaired, see note)
-              | derived (computed by the package) | recalled (from memory: unverified against print)
-    note      doubts and disagreements; a note with DOUBT or DISAGREES is shown wherever the row is used
+              | derived (computed by the package) | recalled (from memory, not checked against the printed source)
+    note      remarks; what follows DOUBT: or DISAGREES: to the end of a note is shown wherever the row is used
 
 Nothing here imports more than the standard library: a material is shown in milliseconds.
 """
@@ -24,7 +24,7 @@ from hugoniot.materials.material import Source
 
 DATA = Path(__file__).parent / "library" / "data"
 STATUSES = ("verified", "corrected", "derived", "recalled")
-UNVERIFIED = "unverified against print"
+UNVERIFIED = "not checked against the printed source"
 TABLES = {
     "U": "us_up", "S": "strength", "J": "jwl", "B": "jwlb", "G": "ignition_growth", "T": "tillotson", "P": "porous", "W": "ptw",
     "V": "gurney", "A": "argon", "N": "gases", "R": "pop_plot", "M": "compression", "O": "windows",
@@ -70,8 +70,8 @@ class Row:
     def range_from(self) -> str:
         """Where the range of a Us-up row comes from if not from its own source: measured states, or what its note says; else empty."""
         if "states" in self:
-            return f"{self['states']:g} measured states of the library, compared with the row's line"
-        said = re.search(r"\brange: (that[^;]*)", self.note)
+            return f"range of the {self['states']:g} measured states that the library has for this row"
+        said = re.search(r"\brange: (the (?:highest|range)[^;]*)", self.note)
         return said.group(1) if said else ""
 
     def constants(self) -> Iterator[Source]:
@@ -81,13 +81,24 @@ class Row:
     @property
     def marks(self) -> tuple[str, ...]:
         """What must be seen wherever the row is used: sentences, empty for a row without blemish."""
-        found, name = [], self.material or self.get("quantity", "")
+        found = []
         if self.status == "recalled":
-            found.append(f"{self.id} ({name}): {UNVERIFIED} ({self.source})")
-        doubt = re.search(r"\b(DOUBT|DISAGREES)\b.*", self.note)
-        if doubt:
-            found.append(f"{self.id} ({name}): {doubt.group(0)}")
+            found.append(f"{self.title} is quoted from memory, {UNVERIFIED} ({self.source})")
+        if self.doubt:
+            kind = "is doubtful" if "DOUBT:" in self.note else "disagrees with other sources"
+            found.append(f"{self.title} {kind}: {self.doubt}")
         return tuple(found)
+
+    @property
+    def title(self) -> str:
+        """What messages call the row."""
+        return f"row {self.id} ({self.material or self.get('quantity', '')})"
+
+    @property
+    def doubt(self) -> str:
+        """What is doubtful about the row, or what other sources say, in words; empty for most rows."""
+        said = re.search(r"\b(?:DOUBT|DISAGREES): (.*)", self.note)
+        return said.group(1) if said else ""
 
 
 @cache

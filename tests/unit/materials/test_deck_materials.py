@@ -78,7 +78,7 @@ def test_a_name_is_never_a_path(folder, name):
 
 def test_unverified_constants_are_told_before_a_run(folder):
     (folder / "deck.toml").write_text("lighting = [{at = 0.0}]\n" + DECK.format("octol"))
-    assert any("octol" in w and "unverified against print" in w for w in read_deck(folder / "deck.toml").warnings)
+    assert any("octol" in w and "not checked against the printed source" in w for w in read_deck(folder / "deck.toml").warnings)
 
 
 @pytest.mark.parametrize("registry, family", [(EOS, "eos"), (STRENGTH, "strength"), (FRACTURE, "fracture")])

@@ -58,8 +58,8 @@ def test_summary_counts_what_is_unverified(capsys):
 
 @pytest.mark.parametrize("name, words", [
     ("copper", ["3940", "bulk_sound_speed", "hugoniot_elastic_limit", "Steinberg", "read in irisvogon", "up to 2946 m/s", "3900(11)"]),
-    ("pentolite", ["WARNING", "unverified against print", "cj_velocity", "25.5"]),
-    ("rdx", ["WARNING", "DOUBT"]), ("petn", ["NOT AT REST", "unreacted.a"]), ("iron", ["lost its last term", "U208", "3531(164)"]),
+    ("pentolite", ["WARNING", "not checked against the printed source", "cj_velocity", "25.5"]),
+    ("rdx", ["WARNING", "is doubtful"]), ("petn", ["has no zero pressure", "unreacted.a"]), ("iron", ["lost its last term", "U208", "3531(164)"]),
     ("U160", ["6278", "exponential_amplitude", "form: ulh"]), ("G009", ["growth1"]), ("S089", ["WARNING", "0.276"]), ("uranium", ["s = 2.20"])])
 def test_show(capsys, name, words):
     code, out, _ = call(capsys, "show", name)

@@ -43,7 +43,7 @@ def test_a_file_in_the_librarys_schema(alloy):
     assert entry.material.valid_up_to == 2500.0
     said = {r["quantity"]: r for r in material_record(entry.material)}
     assert said["eos.rho0"]["source"] == "our laboratory, 2024"
-    assert said["eos.c0"]["status"] == "user" and said["eos.c0"]["mark"] == "user's own"
+    assert said["eos.c0"]["status"] == "user" and said["eos.c0"]["mark"] == "user's own value"
     assert said["strength.shear_modulus"]["source"].startswith("Steinberg")
     findings = list(checks.check_entry(entry))
     assert not [f for f in findings if f.verdict == "fail"]
@@ -109,7 +109,7 @@ def test_a_recalled_value_carries_its_mark(tmp_path):
     path = tmp_path / "mine.toml"
     path.write_text('[eos]\nlaw = "ideal_gas"\ngamma = {value = 1.31, source = "from memory", status = "recalled"}\n')
     (entry,) = users.read_materials(path).values()
-    assert any("unverified against print" in w for w in entry.material.warnings)
+    assert any("not checked against the printed source" in w for w in entry.material.warnings)
 
 
 def test_finding_among_both(alloy):

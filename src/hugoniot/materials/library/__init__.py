@@ -181,10 +181,10 @@ def _with_spall(name: str) -> Entry:
         raise UnknownMaterial([DeckProblem("library", None, "material", f"the library has no measured spall strength for '{name}'",
                                            f"measured ones are available for {known}; or add a fracture law to the deck")])
     tables = read_file(HERE / "curated" / f"{name}.toml")
-    reason = "measured in plate impacts; strengths grow with the rate of unloading and depend on microstructure"
+    reason = "The strength was measured in plate impacts. Spall strengths grow with the rate of unloading and depend on the microstructure."
     tables |= {"fracture": {"law": "spall_stress", "strength": f"{row}.spall_strength", "reason": reason},
                "title": f"{plain.title}, with spall", "missing": [text for text in plain.missing if "with spall" not in text]
-               or ["the change of the spall strength with rate and temperature"]}
+               or ["The change of the spall strength with rate and temperature is not included."]}
     made = make_entry(f"{name}_with_spall", tables, f"{name}.toml and row {row}", category=plain.category)
     return _warned(made, _branch(name, tables["eos"].get("row")))
 
@@ -205,7 +205,7 @@ def _reactive(name: str) -> Entry:
         known = [n for n, listing in index().items() if listing.category == "explosive" and "ignition_growth" in _curated(n).detonation]
         hint = f"sets are available for {', '.join(known)}"
         raise UnknownMaterial([DeckProblem("library", None, "material", f"the library has no rate constants for '{name}'", hint)])
-    reason = f"the set {row.value} as calibrated: reactant, products and rate belong together"
+    reason = f"These are the constants of row {row.value}: unreacted explosive, products and rate were calibrated together."
     tables = {**{family: {"row": row.value, "reason": reason} for family in ("eos", "unreacted", "burn")},
               "title": f"{plain.title}, reactive", "missing": list(plain.missing), "aliases": []}
     return replace(make_entry(f"{name}_reactive", tables, f"row {row.value}", category=plain.category), detonation=plain.detonation)
@@ -228,11 +228,11 @@ def _of_row(identity: str) -> Entry:
     elif row.table == "compression" and (limit := static_compression.reach(row)):
         tables["valid_up_to"] = limit
     made = make_entry(identity, tables, f"row {identity}", category=str(row.get("category", "")))
-    warnings = [f"row {identity} of the library, unedited: not a curated material, no strength, no fracture"]
+    warnings = [f"row {identity} is used as published: it is an equation of state without a strength or fracture law"]
     warnings += _branch(row.material, identity)
     if row.table == "compression":
-        warnings.append(f"{identity} ({row.material}): fitted to static compression of one phase; a shock strong enough to transform "
-                        "or melt it lies on a different Hugoniot")
+        warnings.append(f"{row.title} is a fit to static compression of one phase; a shock strong enough to transform or melt this phase "
+                        "follows a different Hugoniot")
     return replace(_warned(made, warnings), curated=False)
 
 
@@ -241,7 +241,8 @@ def _branch(name: str, identity: str | None) -> list[str]:
     begin = schema.row(identity).get("up_min", 0.0) if identity else 0.0
     if begin < FAR_BRANCH:
         return []
-    return [f"{identity} ({name}): its data begin at a particle velocity of {begin:g} m/s; weaker shocks may lie on another branch"]
+    return [f"the data of row {identity} ({name}) begin at a particle velocity of {begin:g} m/s; weaker shocks may follow another branch "
+            "of the Hugoniot"]
 
 
 def _warned(made: Entry, warnings: Iterable[str]) -> Entry:
@@ -251,7 +252,7 @@ def _warned(made: Entry, warnings: Iterable[str]) -> Entry:
 
 def _of_set(row: schema.Row) -> Entry:
     """An ignition-and-growth set as it stands: reactant, products and rate."""
-    reason = f"the set {row.id} as calibrated: reactant, products and rate belong together"
+    reason = f"These are the constants of row {row.id}: unreacted explosive, products and rate were calibrated together."
     tables: dict = {**{family: {"row": row.id, "reason": reason} for family in ("eos", "unreacted", "burn")},
                     "title": f"{row.material} (set {row.id})"}
     try:
