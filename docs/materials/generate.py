@@ -1,37 +1,54 @@
 """Writes a page for every curated material of the library, from its data: python docs/materials/generate.py
 
-The pages go to docs/generated/materials (not kept in the repository): a table of constants with marks and sources, derived quantities,
-choices and their reasons, what is missing, other sources, and a picture of the Hugoniots with the measured states.
+The pages go to docs/generated/materials (not kept in the repository): the laws and their range, a picture of the Hugoniots with the
+measured states, the constants with their sources, derived quantities, the reasons for the choice, what is missing, and other rows.
 """
 
+import re
 import sys
 from pathlib import Path
 
 import matplotlib
 
 from hugoniot.dossier.curves import comparison
-from hugoniot.dossier.describe import described, summary, where_read
+from hugoniot.dossier.describe import described, summary
+from hugoniot.dossier.wording import DERIVED, GROUPS, differences, digits, grouped, numbered, where_read
 from hugoniot.errors import HugoniotError
 from hugoniot.materials import library
+from hugoniot.materials.tables import families
 from hugoniot.plotting.materials import compare_figure
 
 matplotlib.use("Agg")
 HERE = Path(__file__).parent
 TARGET = HERE.parent / "generated" / "materials"
-SCALES = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m³"), "1/Pa": (1e-9, "1/GPa"), "kg/m^3": (1.0, "kg/m³"), "1": (1.0, "")}
+SCALES = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m³"), "1/Pa": (1e-9, "1/GPa"), "kg/m^3": (1.0, "kg/m³"), "1": (1.0, ""),
+          "J/kg/K": (1.0, "J/(kg K)")}
+ROWS = "These rows of the library are for the same material or a similar one; this material does not use them. {use}"
+FILE = "\"The file\" is the public file in which a row was read; `hugoniot material show {example}` names it."
 
 
-def number(value, unit: str) -> str:
-    """A value with its unit as a table cell."""
+def number(value, unit: str, count: int = 0) -> str:
+    """A value with its unit as a table cell; to some digits if `count` says so."""
     if isinstance(value, str):
-        return value
+        return f"`{value}`"
     scale, name = SCALES.get(unit, (1.0, unit))
-    return f"{value / scale:.6g} {name}".rstrip()
+    if unit == "Pa" and abs(value) < 1e6:
+        scale, name = 1.0, "Pa"
+    return f"{digits(value / scale, count) if count == 4 else f'{value / scale:.{count or 6}g}'} {name}".rstrip()
 
 
 def cell(text: str) -> str:
-    """Text that cannot break a table or start markup."""
-    return text.replace("|", "\\|").replace("\n", " ").replace("<", "&lt;").replace("*", "\\*").replace("_", "\\_").replace("^", "\\^")
+    """Text that cannot break a table or start markup, with the signs that plain text lacks."""
+    text = text.replace("kg/m3", "kg/m³").replace("J/m3", "J/m³").replace("g/cm3", "g/cm³").replace("^2", "²")
+    pieces = re.split(r"(`[^`]*`)", text.replace("|", "\\|").replace("\n", " "))
+    return "".join(p if p.startswith("`") else p.replace("<", "&lt;").replace("*", "\\*").replace("_", "\\_").replace("^", "\\^")
+                   for p in pieces)
+
+
+def sentence(text: str) -> str:
+    """With a capital letter and a full stop."""
+    text = cell(text)
+    return text[:1].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) else ".")
 
 
 def table(heads: list[str], rows: list[tuple]) -> list[str]:
@@ -41,37 +58,104 @@ def table(heads: list[str], rows: list[tuple]) -> list[str]:
 
 def page(about: dict, picture: str | None) -> str:
     """The page of one material."""
-    lines = [f"# {about['title']}", "", f"`{about['name']}`, {about['category']}" +
-             (f". Also: {', '.join(cell(a) for a in about['aliases'])}" if about["aliases"] else ""), ""]
+    lines = [f"# {about['title']}", "", *_first(about)]
     for warning in about["warnings"]:
-        lines += [f":::{{warning}}\n{cell(warning)}\n:::", ""]
-    laws = ", ".join(f"{family}: `{law}`" for family, law in about["laws"].items())
-    lines += [f"Laws: {laws}. Range of the data: {cell(about['reach'])}.", ""]
+        lines += [f":::{{warning}}\n{sentence(warning)}\n:::", ""]
     if picture:
-        lines += [f"![Hugoniots of {cell(about['title'])}]({picture})", ""]
-    sources: dict[tuple[str, str], int] = {}
-    rows = []
-    for c in about["constants"]:
-        reference = ""
-        if c["status"] != "default":
-            reference = f"[{sources.setdefault((c['source'], c['via']), len(sources) + 1)}]"
-        rows.append((f"`{c['quantity']}`", number(c["value"], c["unit"]), reference, c["mark"]))
-    lines += ["## Constants", "", *table(["constant", "value", "source", "mark"], rows)]
-    lines += [f"{k}. {cell(source)}" + (f"<br>{cell(where_read(via))}" if via else "") for (source, via), k in sources.items()] + [""]
-    if about["derived"]:
-        rows = [(f"`{k}`", number(q["value"], q["unit"]), cell(q["meaning"])) for k, q in about["derived"].items()]
-        lines += ["## Derived", "", *table(["quantity", "value", "how"], rows)]
+        several = any(o["row"][0] in "UT" for o in about["others"])
+        which = "of this material and of the other rows below" if several else "of this material"
+        lines += [f"![Hugoniots of {cell(about['title'])}]({picture})", "",
+                  f"Hugoniots {which}, with measured states where the library has them. A curve is thin and dashed outside its stated "
+                  "range.", ""]
+    lines += _constants(about) + _derived(about)
     if about["fits"]:
-        lines += ["## Measured states, fitted by the package", "", *(f"* {cell(line)}" for line in about["fits"]), ""]
-    lines += ["## Choices", "", *(f"* **{family}**: {cell(reason)}" for family, reason in about["reasons"].items()), ""]
-    lines += ["## What is missing", "", *(f"* {cell(text)}" for text in about["missing"]), ""]
+        lines += ["## Fits to measured states", "", "Least-squares fits of hugoniot to the measured states in its library; ± gives one "
+                  "standard deviation.", "", *(f"* {sentence(line)}" for line in about["fits"]), ""]
+    lines += ["## Why these constants", "", *(f"* **{GROUPS[family].capitalize()}.** {sentence(reason)}"
+                                              for family, reason in about["reasons"].items()), ""]
+    lines += ["## What the library lacks", "", *(f"* {sentence(text)}" for text in about["missing"]), ""]
     if about["notes"]:
-        lines += ["## Notes", "", *(f"* {cell(text)}" for text in about["notes"]), ""]
-    if about["others"]:
-        rows = [(o["row"], o["family"], cell(o["summary"]), cell(o["source"]) + "".join(f"<br>**{cell(m)}**" for m in o["marks"]))
-                for o in about["others"]]
-        lines += ["## Other sources", "", *table(["row", "for", "constants", "source"], rows)]
-    return "\n".join(lines)
+        lines += ["## Remarks", "", *(f"* {sentence(text)}" for text in about["notes"]), ""]
+    return "\n".join(lines + _others(about))
+
+
+def rows_used(constants: list[dict]) -> list[str]:
+    """The rows that constants come from, in order of use."""
+    found = (re.search(r"\brow ([A-Z]\d{3})\b", c["note"]) for c in constants if c["quantity"] != "valid_up_to")
+    return list(dict.fromkeys(match.group(1) for match in found if match))
+
+
+def _first(about: dict) -> list[str]:
+    """What the material is, which laws describe it, and in which range."""
+    kind = about["category"].replace("/", " or ")
+    names = f"; these names work too: {', '.join(cell(a) for a in about['aliases'])}" if about["aliases"] else ""
+    lines = [f"This page gives the laws and constants of {cell(about['title'])} ({kind}) in the materials library of hugoniot. In a "
+             f"deck, write `material = \"{about['name']}\"`{names}.", ""]
+    rows = rows_used(about["constants"])
+    if rows:
+        listed = rows[0] if len(rows) == 1 else f"{', '.join(rows[:-1])} and {rows[-1]}"
+        lines += [f"The constants are those of row{'s' if rows[1:] else ''} {listed} of the library. A *row* is one published set of "
+                  f"constants; `hugoniot material show {rows[0]}` prints row {rows[0]} with its source.", ""]
+    lines += ["The material is described by these laws:", ""]
+    for family, law in about["laws"].items():
+        folder = "eos" if family == "unreacted" else family
+        what = "equation of state of the detonation products" if family == "eos" and "burn" in about["laws"] else GROUPS[family]
+        text = families()[folder].get(law).summary
+        lines.append(f"* {what[:1].upper() + what[1:]}: [`{law}`](../laws/{folder}/{law}.md). {sentence(text)}")
+    if "does not apply" in about["reach"]:
+        return [*lines, ""]
+    return [*lines, "", f"**Valid range.** {sentence(about['reach'])}", ""]
+
+
+def _constants(about: dict) -> list[str]:
+    """Tables of the constants, one per law, and the numbered list of their sources."""
+    constants = about["constants"]
+    marks, sources = numbered(constants)
+    lines = ["## Constants", "", "Names are those of a deck or a material file; numbers in brackets refer to the sources below the "
+             "tables. A default value is the one that the law takes where no source gives another.", ""]
+    for group, members in grouped(constants).items():
+        lines += [f"### {GROUPS[group].capitalize()}", ""]
+        rows = []
+        for c, mark in ((constants[k], marks[k]) for k in members):
+            name, value = c["quantity"].removeprefix(f"{group}."), number(c["value"], c["unit"], 5 if c["status"] == "derived" else 0)
+            rows.append((f"`{name}`", cell(about["meanings"].get(c["quantity"], "")), value, mark, c["mark"]))
+        lines += table(["name", "meaning", "value", "source", "remark"], rows)
+    if sources:
+        lines += ["### Sources", "", "Most numbers were read in a public file that cites the publication, not in the publication itself "
+                  "([provenance](../../materials/provenance.md)).", ""]
+        lines += [f"{k}. {sentence(source)}" + (f" {sentence(where_read(via))}" if via else "")
+                  for k, (source, via) in enumerate(sources, 1)] + [""]
+    return lines
+
+
+def _derived(about: dict) -> list[str]:
+    if not about["derived"]:
+        return []
+    state = about["reference"]
+    at = [f"density {digits(state['density'])} kg/m³"]
+    at += [f"temperature {state['temperature']:g} K"] if state["temperature"] is not None else []
+    at.append("zero pressure" if abs(state["pressure"]) < 1e3 else f"pressure {state['pressure'] / 1e3:.4g} kPa")
+    said = f"Computed from the constants above at the reference state ({', '.join(at)})."
+    if "cj_velocity" in about["derived"]:
+        said = "The Chapman-Jouguet (CJ) state computed from the constants of the detonation products."
+    rows = [(DERIVED[k][:1].upper() + DERIVED[k][1:], number(q["value"], q["unit"], 4), cell(q["meaning"]))
+            for k, q in about["derived"].items()]
+    return ["## Derived quantities", "", " ".join(t for t in (said, differences(about)) if t), "",
+            *table(["quantity", "value", "how it is computed"], rows)]
+
+
+def _others(about: dict) -> list[str]:
+    if not about["others"]:
+        return []
+    rows = [(o["row"], GROUPS[o["family"]], cell(o["summary"]), sentence(o["source"]) + "".join(f" **{sentence(m)}**" for m in o["marks"]))
+            for o in about["others"]]
+    states = [o["row"] for o in about["others"] if o["family"] == "eos"]
+    use = f"A deck uses a row of an equation of state as a material by itself, such as `material = \"{states[0]}\"`; a " if states else "A "
+    use += "material file can take a row for one law ([your own materials](../../materials/users.md))."
+    unnamed = next((o["row"] for o in about["others"] if "he file" in o["source"]), None)
+    said = ROWS.format(use=use) + (" " + FILE.format(example=unnamed) if unnamed else "")
+    return ["## Other data", "", said, "",
+            *table(["row", "for", "constants", "source and remarks"], rows)]
 
 
 def draw(entry, target: Path) -> str | None:
@@ -89,11 +173,14 @@ def draw(entry, target: Path) -> str | None:
 def index(entries: list, laws: dict[str, dict]) -> str:
     """The table of all pages with the counts of the library; laws {material: {family: law}}."""
     counts = summary()
-    lines = ["# The materials", "", f"{counts['curated_materials']} curated materials, {counts['searchable_materials']} searchable, "
-             f"{counts['rows']} rows, {counts['measured_states']} measured states. "
-             f"{counts['rows_unverified_against_print']} rows are unverified against print and say so wherever they appear.", ""]
-    heads = ("material", "kind", "density, kg/m³", "c0, m/s", "s", "strength", "spall strength", "state law")
-    lines += ["Click on a heading to sort; type to filter.", "",
+    lines = ["# All materials", "",
+             f"This table lists the {counts['curated_materials']} curated materials: for each, laws and constants were chosen from the "
+             f"available sources, and its page gives the reasons. The library holds {counts['rows']} published sets of constants (*rows*) and "
+             f"{counts['measured_states']} measured shock states. `hugoniot material search` finds {counts['searchable_materials']} "
+             f"materials, which include rows that are not curated. {counts['rows_unverified_against_print']} rows are quoted from memory, "
+             "not checked against the printed source; a warning says so wherever they are used.", ""]
+    heads = ("material", "kind", "density, kg/m³", "c0, m/s", "s", "equation of state", "strength law", "spall strength")
+    lines += ["c0 and s are the intercept of the Hugoniot Us(up) and its slope at up = 0. Click on a heading to sort; type to filter.", "",
               "```{raw} html", '<input class="filter" type="search" placeholder="filter, such as metal or steinberg" '
               'aria-label="Filter the materials">', "```", "",
               *table(list(heads), [row(e, laws[e.name]) for e in entries]),
@@ -108,7 +195,7 @@ def row(entry, laws: dict) -> tuple:
 
     eos, spall = entry.material.eos, getattr(entry.material.fracture, "strength", None)
     return (f"[{cell(entry.name)}]({entry.name}.md)", entry.category, constant(eos, "rho0"), constant(eos, "c0"), constant(eos, "s", "s1"),
-            cell(laws.get("strength", "")), f"{spall / 1e9:.3g} GPa" if spall else "", cell(laws.get("eos", "")))
+            cell(laws.get("eos", "")), cell(laws.get("strength", "")), f"{spall / 1e9:.3g} GPa" if spall else "")
 
 
 def main(names: list[str]) -> None:

@@ -11,6 +11,9 @@ from hugoniot.errors import DeckError
 app = typer.Typer(no_args_is_help=True, help="Search and show the materials library, in which every number has its source.\n\nA "
         "material is assembled from rows of data tables. A row has an id, such as U007, and can be shown by itself.",
                   epilog="Example: hugoniot material show copper", context_settings={"help_option_names": ["-h", "--help"]})
+_COUNTED = {"rows_unverified_against_print": "rows from memory, not checked against the printed source",
+            "rows_doubted_or_not_closing": "rows that are doubtful or miss their stated CJ state",
+            "curated_materials_with_unverified_constants": "curated materials with constants from memory"}
 SHOWN = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m^3"), "1/Pa": (1e-9, "1/GPa")}
 
 
@@ -252,50 +255,57 @@ def _summary(as_json: bool) -> None:
     if as_json:
         echo_json(counts)
         return
-    rows = [(key.replace("_", " "), str(value)) for key, value in counts.items() if not isinstance(value, dict)]
-    echo_table(["count", ""], rows)
+    rows = [(_COUNTED.get(key, key.replace("_", " ")), str(value)) for key, value in counts.items() if not isinstance(value, dict)]
+    echo_table(["of the library", "number"], rows)
     typer.echo("")
-    echo_table(["table", "rows", "unverified against print", "doubted"],
+    echo_table(["table", "rows", "from memory", "doubtful"],
                [(name, str(t["rows"]), str(t["unverified"]), str(t["doubted"])) for name, t in counts["tables"].items()])
 
 
 def _echo_material(about: dict) -> None:
-    from hugoniot.dossier.describe import where_read
+    from hugoniot.dossier.wording import DERIVED, GROUPS, differences, digits, grouped, numbered, where_read
 
     typer.echo(f"{about['title']}  [{about['name']}, {about['category']}]")
     if about["aliases"]:
-        typer.echo(f"also: {', '.join(about['aliases'])}")
+        typer.echo(f"other names: {', '.join(about['aliases'])}")
+    if about["laws"]:
+        typer.echo("laws: " + "; ".join(f"{GROUPS[family]} {law}" for family, law in about["laws"].items()))
+    typer.echo(f"range of the data: {about['reach']}")
     for warning in about["warnings"]:
         typer.secho(f"WARNING {warning}", fg="yellow")
-    typer.echo("")
-    sources: dict[tuple, int] = {}
-    rows = []
-    for constant in about["constants"]:
-        reference = ""
-        if constant["status"] != "default":
-            reference = f"[{sources.setdefault((constant['source'], constant['via']), len(sources) + 1)}]"
-        rows.append((constant["quantity"], *_shown(constant["value"], constant["unit"]), reference, constant["mark"]))
-    echo_table(["constant", "value", "unit", "source", "remark"], rows)
+    constants = about["constants"]
+    marks, sources = numbered(constants)
+    for group, members in grouped(constants).items():
+        typer.echo(f"\n{GROUPS[group] if about['laws'] else 'constants'}:")
+        rows = [(c["quantity"], *_shown(c["value"], c["unit"]), marks[k], c["mark"], about["meanings"].get(c["quantity"], ""))
+                for k, c in ((k, constants[k]) for k in members)]
+        filled = [k for k in range(6) if any(row[k] for row in rows)]
+        heads = ("constant", "value", "unit", "source", "remark", "meaning")
+        echo_table([heads[k] for k in filled], [[row[k] for k in filled] for row in rows])
     if about["derived"]:
-        typer.echo("")
-        cells = [(k, *_shown(q["value"], q["unit"]), q["meaning"]) for k, q in about["derived"].items()]
-        echo_table(["derived", "value", "unit", "how"], cells)
-    if about["fits"]:
-        typer.echo("\nmeasured states, fitted by the package:")
-        for line in about["fits"]:
-            typer.echo(f"  {line}")
-    choices = [f"{family}: {reason}" for family, reason in about["reasons"].items()]
-    for head, lines in (("choices", choices), ("missing", about["missing"]), ("notes", about["notes"])):
+        state, cells = about["reference"], []
+        for key, q in about["derived"].items():
+            scale, unit = SHOWN.get(q["unit"], (1.0, q["unit"]))
+            cells.append((DERIVED[key], digits(q["value"] / scale), "" if unit == "1" else unit, q["meaning"]))
+        warm = f", temperature {state['temperature']:g} K" if state["temperature"] is not None else ""
+        where = f"density {state['density']:.4g} kg/m3{warm}"
+        typer.echo(f"\nderived quantities ({'CJ state' if 'cj_velocity' in about['derived'] else f'at the reference state, {where}'}):")
+        echo_table(["quantity", "value", "unit", "how it is computed"], cells)
+        if differences(about):
+            typer.echo(differences(about))
+    choices = [f"{GROUPS[family]}: {reason}" for family, reason in about["reasons"].items()]
+    for head, lines in (("fits of hugoniot to measured states", about["fits"]), ("why these constants", choices),
+                        ("what the library lacks", about["missing"]), ("remarks", about["notes"]),
+                        ("other rows of the library (hugoniot material show ROW prints one)",
+                         [f"{o['row']} ({GROUPS[o['family']]}): {o['summary']}" for o in about["others"]])):
         if lines:
             typer.echo(f"\n{head}:")
             for line in lines:
                 typer.echo(f"  {line}")
-    if about["others"]:
-        typer.echo("\nother sources: " + "; ".join(f"{o['row']} ({o['family']}) {o['summary']}" for o in about["others"]))
-    typer.echo("\nsources:")
-    for (source, via), number in sources.items():
-        typer.echo(f"  [{number}] {source}" + (f"\n      {where_read(via)}" if via else ""))
-    typer.echo(f"\nrange of the data: {about['reach']}")
+    if sources:
+        typer.echo("\nsources:")
+    for k, (source, via) in enumerate(sources, 1):
+        typer.echo(f"  [{k}] {source}" + (f"\n      {where_read(via)}" if via else ""))
 
 
 def _shown(value, unit: str) -> tuple[str, str]:

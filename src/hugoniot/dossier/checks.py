@@ -159,7 +159,7 @@ def _jwl(row: Row) -> Iterator[Finding]:
         if math.isnan(misfit):
             yield Finding(row.id, f"CJ closure of {name}", "mark", text=f"the row states no {name} to compare the CJ state with")
         else:
-            yield _judge(row.id, f"CJ closure of {name}", misfit, limit, f"{100 * misfit:+.2f} %", "mark")
+            yield _judge(row.id, f"CJ closure of {name}", misfit, limit, f"{100 * misfit:+.2f} % from the stated value", "mark")
     for name, mine in (("recorded_d", state.velocity), ("recorded_p", state.pressure)):
         yield _judge(row.id, f"CJ state as {name}", mine / row.get(name, math.inf) - 1.0, RECORDED_LIMIT)
     if "e0_from_isentrope" in row:
@@ -303,7 +303,8 @@ def _detonation(entry: Entry) -> Iterator[Finding]:
     for key, mine, limit in (("velocity", point.detonation_velocity, VELOCITY_LIMIT), ("pressure", point.state.pressure, PRESSURE_LIMIT)):
         if key in entry.detonation:
             misfit = mine / float(entry.detonation[key].value) - 1.0
-            yield _judge(entry.name, f"CJ {key} against the stated value", misfit, limit, f"{100 * misfit:+.2f} %", "mark")
+            text = f"{100 * misfit:+.2f} % from the stated value"
+            yield _judge(entry.name, f"CJ {key} against the stated value", misfit, limit, text, "mark")
     if entry.unreacted is not None:
         yield from _at_rest(entry.name, entry.unreacted)
 

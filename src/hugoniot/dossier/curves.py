@@ -138,7 +138,7 @@ def _sources(entry: Entry, top: float) -> tuple[list[Curve], list[str]]:
 
 def _row_curve(row: Row, top: float) -> Curve | None:
     speed = partial(shock_velocity, row) if row.table == "us_up" else partial(material_hugoniot, library.find(row.id))
-    mark = " (unverified)" if row.status == "recalled" else " (doubtful)" if row.marks else ""
+    mark = " (from memory)" if row.status == "recalled" else " (doubtful)" if row.marks else ""
     up, us = _sample(speed, top)
     if len(up) < 2:
         return None
@@ -155,7 +155,7 @@ def short_source(row: Row) -> str:
         return f"Tillotson, {row.material}"
     first = row.source.split(",")[0].split(":")[0]
     year = re.search(r"\b(19|20)\d\d\b", row.source)
-    first = first.replace(" Community Wiki fits", " Wiki")
+    first = first.replace(" Community Wiki", " Wiki")
     return first[:40] + (f" {year.group(0)}" if year and year.group(0) not in first else "")
 
 
@@ -167,7 +167,7 @@ def _material_curve(entry: Entry, top: float) -> Curve | None:
     low = (first.get("up_min") or 0.0) if first is not None and first.table == "us_up" else 0.0
     high = material.valid_up_to or math.inf
     rho0 = float(reference_state(material.eos)[0])
-    label = f"{entry.title} ({entry.rows[0]}, default)" if entry.curated and entry.rows else entry.title
+    label = f"{entry.title} (row {entry.rows[0]}, used here)" if entry.curated and entry.rows else entry.title
     source = first.source if first is not None else entry.file
     up, us = _sample(partial(material_hugoniot, material), top)
     if len(up) < 2:

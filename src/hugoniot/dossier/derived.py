@@ -48,22 +48,22 @@ def _derived(material: Material, unreacted: Any) -> dict[str, Quantity]:
     if "reacted" in law.flags:
         point = cj(material.eos)
         state = point.state
-        found["cj_velocity"] = Quantity(point.detonation_velocity, "m/s", "Chapman-Jouguet detonation velocity from the equation of state")
-        found["cj_pressure"] = Quantity(state.pressure, "Pa", "Chapman-Jouguet pressure")
-        found["cj_particle_velocity"] = Quantity(state.particle_velocity, "m/s", "particle velocity at the CJ state")
-        found["cj_density"] = Quantity(state.density, "kg/m^3", "density at the CJ state")
-        found["cj_exponent"] = Quantity(point.adiabatic_exponent, "1", "adiabatic exponent at the CJ state")
+        found["cj_velocity"] = Quantity(point.detonation_velocity, "m/s", "from the equation of state of the products")
+        found["cj_pressure"] = Quantity(state.pressure, "Pa", "from the equation of state of the products")
+        found["cj_particle_velocity"] = Quantity(state.particle_velocity, "m/s", "relative to the unreacted explosive")
+        found["cj_density"] = Quantity(state.density, "kg/m^3", "of the products")
+        found["cj_exponent"] = Quantity(point.adiabatic_exponent, "1", "rho c^2/p of the products")
         if unreacted is not None:
             rho, e = reference_state(unreacted)
             found["unreacted_sound_speed"] = Quantity(math.sqrt(sound_speed_squared(rho, e, unreacted)), "m/s",
-                                                      "bulk sound speed of the unreacted explosive")
+                                                      "at the reference density of the unreacted explosive")
         return found
     rho, e = reference_state(material.eos)
     c2 = sound_speed_squared(rho, e, material.eos)
     bulk = rho * c2
-    found["bulk_sound_speed"] = Quantity(math.sqrt(c2), "m/s", "sqrt(K/rho) at rest")
-    found["bulk_modulus"] = Quantity(bulk, "Pa", "isentropic bulk modulus K at rest")
-    found["gruneisen"] = Quantity(gruneisen(rho, e, material.eos), "1", "Grüneisen parameter at rest")
+    found["bulk_sound_speed"] = Quantity(math.sqrt(c2), "m/s", "sqrt(K/rho)")
+    found["bulk_modulus"] = Quantity(bulk, "Pa", "rho c^2 with the bulk sound speed c")
+    found["gruneisen"] = Quantity(gruneisen(rho, e, material.eos), "1", "from the equation of state")
     if material.strength is not None and "fluid" not in STRENGTH.of(material.strength).flags:
         found |= _elastic(material, rho, e, bulk)
     return found
@@ -73,14 +73,15 @@ def _elastic(material: Material, rho: float, e: float, bulk: float) -> dict[str,
     warm, p = temperature_at_rest(material.eos), pressure(rho, e, material.eos)
     g = shear_modulus(rho, p, warm, bulk, material.strength)
     y = flow_stress(rho, p, warm, 0.0, 1.0, material.strength)
-    found = {"shear_modulus": Quantity(g, "Pa", "shear modulus G at rest"), "yield_stress": Quantity(y, "Pa", "flow stress Y at rest")}
+    found = {"shear_modulus": Quantity(g, "Pa", "from the strength law"),
+             "yield_stress": Quantity(y, "Pa", "from the strength law, at zero plastic strain and a strain rate of 1 per second")}
     if g > 0.0:
         longitudinal = math.sqrt((bulk + 4.0 / 3.0 * g) / rho)
-        found["longitudinal_sound_speed"] = Quantity(longitudinal, "m/s", "sqrt((K + 4G/3)/rho) at rest")
+        found["longitudinal_sound_speed"] = Quantity(longitudinal, "m/s", "sqrt((K + 4G/3)/rho)")
         found["poisson_ratio"] = Quantity((3.0 * bulk - 2.0 * g) / (2.0 * (3.0 * bulk + g)), "1", "(3K - 2G)/(6K + 2G)")
         limit = 0.5 * y * (bulk / g + 4.0 / 3.0)
         found["hugoniot_elastic_limit"] = Quantity(limit, "Pa", "Y (K/G + 4/3)/2 (Herrmann, WL-TR-64-107)")
-        found["hel_particle_velocity"] = Quantity(limit / (rho * longitudinal), "m/s", "HEL/(rho c_L)")
+        found["hel_particle_velocity"] = Quantity(limit / (rho * longitudinal), "m/s", "HEL/(rho c_L), c_L the longitudinal sound speed")
     return found
 
 

@@ -1,13 +1,16 @@
 """A material in words and numbers for people: what `hugoniot material show`, the docs pages and reports print."""
 
+import math
+
 from hugoniot.dossier import fits
 from hugoniot.dossier.derived import derived_quantities
+from hugoniot.dossier.wording import meanings, row_summary
+from hugoniot.laws.eos.contract import pressure, reference_state, temperature_at_rest
 from hugoniot.materials import library, schema
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.marks import marks
 from hugoniot.materials.reach import range_of, reach
 from hugoniot.materials.record import mark, material_record
-from hugoniot.materials.schema import Row
 
 
 def described(entry: Entry) -> dict:
@@ -23,7 +26,15 @@ def described(entry: Entry) -> dict:
         "others": [{"family": family, "row": i, "summary": row_summary(schema.row(i)), "source": schema.row(i).source,
                     "marks": list(marks(schema.row(i)))} for family, ids in entry.others.items() for i in ids],
         "fits": fit_lines(entry),
+        "meanings": meanings(entry.material, entry.rate), "reference": _reference(entry.material.eos),
     }
+
+
+def _reference(par) -> dict:
+    """The state that derived quantities refer to: density (kg/m3), pressure (Pa), temperature (K; None where the law has none)."""
+    rho, e = reference_state(par)
+    warm = float(temperature_at_rest(par))
+    return {"density": float(rho), "pressure": float(pressure(rho, e, par)), "temperature": warm if math.isfinite(warm) else None}
 
 
 def described_row(identity: str) -> dict:
@@ -38,41 +49,8 @@ def described_row(identity: str) -> dict:
         "reach": range_of(row) if row.table == "us_up" else "does not apply", "warnings": list(marks(row)),
         "constants": constants, "derived": {}, "reasons": {}, "missing": [],
         "notes": [*words, *([row.note] if row.note else [])], "others": [], "fits": [],
+        "meanings": {}, "reference": None,
     }
-
-
-def row_summary(row: Row) -> str:
-    """The constants of a row in a few characters, with the range of a Hugoniot and its mark."""
-    if row.table == "us_up":
-        text = hugoniot_text(row) + (f", to up = {row['up_max']:g} m/s" if "up_max" in row else ", range not known")
-    elif row.table == "compression":
-        text = f"{row['rho0']:g} kg/m3, K = {row['bulk_modulus'] / 1e9:.4g} GPa, K' = {row['bulk_modulus_slope']:g}"
-    elif row.table == "jwl":
-        stated = f", D {row['detonation_velocity']:g} m/s" if "detonation_velocity" in row else ""
-        text = f"{row['role']} {row['rho0']:g} kg/m3{stated}"
-    elif row.table == "strength":
-        y = row.get("yield_stress") or row.get("johnson_cook_yield")
-        text = row["model"] + (f" Y {y / 1e9:.3g} GPa" if y else "")
-    else:
-        text = row.table.replace("_", " ")
-    return text + (" (unverified)" if row.status == "recalled" else " (doubtful)" if row.marks else "")
-
-
-def hugoniot_text(row: Row) -> str:
-    """Us(up) of a row as a formula, m/s."""
-    text = f"Us = {row['c0']:g} m/s + {row['s']:g} up"
-    if row["form"] == "quadratic":
-        text += f" {row['quadratic']:+.3g} up^2"
-    elif row["form"] == "ulh":
-        text += f" {row['exponential_amplitude']:+g} up exp(-{row['exponential_rate']:g} up)"
-    elif row["form"] == "steinberg_cubic":
-        text += f" {row['s2']:+g} (up/Us) up {row['s3']:+g} (up/Us)^2 up"
-    return text
-
-
-def where_read(via: str) -> str:
-    """Where a number was read, as a phrase: a public file, or how the package made it."""
-    return f"read in {via}" if "@" in via or via.startswith("public copy") else via
 
 
 def fit_lines(entry: Entry) -> list[str]:
@@ -85,11 +63,20 @@ def fit_lines(entry: Entry) -> list[str]:
         if identity not in fits.RECORDED:
             continue
         fit, (selection, _) = fits.recorded(identity), fits.RECORDED[identity]
-        terms = [f"{fit.coefficients[0]:.0f}({fit.deviations[0]:.0f})", f"{fit.coefficients[1]:.4f}({fit.deviations[1]:.4f}) up"]
-        square = "".join(f" {c:+.3g}({d:.2g}) up^2" for c, d in zip(fit.coefficients[2:], fit.deviations[2:]))
-        lines.append(f"{identity}: Us = {' + '.join(terms)}{square} m/s, {len(fit.points)} states, "
-                     f"up {fit.least:.0f} to {fit.highest:.0f} m/s, standard deviation {fit.deviation:.0f} m/s ({selection.words})")
+        terms = [f"({_spread(c, d)}){what}" for c, d, what in zip(fit.coefficients, fit.deviations, ("", " up", " up^2"))]
+        lines.append(f"row {identity}: Us = {' + '.join(terms)} (m/s), fitted to {len(fit.points)} states ({selection.words}) with up from "
+                     f"{fit.least:.0f} to {fit.highest:.0f} m/s; standard deviation of Us {fit.deviation:.0f} m/s")
     return lines
+
+
+def _spread(value: float, deviation: float) -> str:
+    """A coefficient ± its standard deviation: to whole m/s, or to two digits of the deviation."""
+    if deviation >= 1.0:
+        return f"{value:.0f} ± {deviation:.0f}"
+    if deviation < 1e-3:
+        return f"{value:.2e} ± {deviation:.1e}"
+    places = 1 - math.floor(math.log10(deviation))
+    return f"{value:.{places}f} ± {deviation:.{places}f}"
 
 
 def summary() -> dict:

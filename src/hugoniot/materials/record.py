@@ -30,11 +30,11 @@ def material_record(material: Material) -> list[dict]:
         for name, value in _numbers(law_table(registry, par)):
             source = stated.pop(f"{family}.{name}", None)
             *inside, leaf = name.split(".")
-            rows.append(_row(material.name, _source_of(f"{family}.{name}", leaf, value, source, _law_inside(registry, par, inside))))
+            rows.append(_row(material.name, _source_of(f"{family}.{name}", leaf, value, source, law_inside(registry, par, inside))))
     return rows + [_row(material.name, source) for source in stated.values()]
 
 
-def _law_inside(registry: Registry, par, path: list[str]):
+def law_inside(registry: Registry, par, path: list[str]):
     """The law a parameter belongs to: that of `par`, or one inside it."""
     for part in path:
         inner = getattr(par, part, None)

@@ -70,7 +70,7 @@ class Row:
     def range_from(self) -> str:
         """Where the range of a Us-up row comes from if not from its own source: measured states, or what its note says; else empty."""
         if "states" in self:
-            return f"range of the {self['states']:g} measured states that the library has for this row"
+            return f"range of the {self['states']:g} measured states that the library has for row {self.id}"
         said = re.search(r"\brange: (the (?:highest|range)[^;]*)", self.note)
         return said.group(1) if said else ""
 
