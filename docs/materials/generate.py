@@ -10,11 +10,11 @@ from pathlib import Path
 
 import matplotlib
 
-from hugoniot.dossier.curves import comparison
+from hugoniot.dossier.curves import comparison, measured
 from hugoniot.dossier.describe import described, summary
 from hugoniot.dossier.wording import DERIVED, GROUPS, differences, digits, grouped, numbered, where_read
 from hugoniot.errors import HugoniotError
-from hugoniot.materials import library
+from hugoniot.materials import library, schema
 from hugoniot.materials.tables import families
 from hugoniot.plotting.materials import compare_figure
 
@@ -23,6 +23,7 @@ HERE = Path(__file__).parent
 TARGET = HERE.parent / "generated" / "materials"
 SCALES = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m³"), "1/Pa": (1e-9, "1/GPa"), "kg/m^3": (1.0, "kg/m³"), "1": (1.0, ""),
           "J/kg/K": (1.0, "J/(kg K)")}
+RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 ROWS = "These rows of the library are for the same material or a similar one; this material does not use them. {use}"
 FILE = "\"The file\" is the public file in which a row was read; `hugoniot material show {example}` names it."
 
@@ -32,14 +33,22 @@ def number(value, unit: str, count: int = 0) -> str:
     if isinstance(value, str):
         return f"`{value}`"
     scale, name = SCALES.get(unit, (1.0, unit))
+    if unit == "J/kg" and abs(value) >= 1e6:
+        scale, name = 1e6, "MJ/kg"
     if unit == "Pa" and abs(value) < 1e6:
-        scale, name = 1.0, "Pa"
-    return f"{digits(value / scale, count) if count == 4 else f'{value / scale:.{count or 6}g}'} {name}".rstrip()
+        scale, name = 1e3, "kPa"
+    text = digits(value / scale, count) if count == 4 else f"{value / scale:.{count or 6}g}"
+    return f"{powers(text)} {name}".rstrip()
+
+
+def powers(text: str) -> str:
+    """Numbers such as 1.2e-05 as 1.2 × 10⁻⁵."""
+    return re.sub(r"(?<=\d)e([+-])0?(\d+)\b", lambda m: f" × 10{'⁻' if m[1] == '-' else ''}{m[2].translate(RAISED)}", text)
 
 
 def cell(text: str) -> str:
     """Text that cannot break a table or start markup, with the signs that plain text lacks."""
-    text = text.replace("kg/m3", "kg/m³").replace("J/m3", "J/m³").replace("g/cm3", "g/cm³").replace("^2", "²")
+    text = powers(text).replace("kg/m3", "kg/m³").replace("J/m3", "J/m³").replace("g/cm3", "g/cm³").replace("^2", "²")
     pieces = re.split(r"(`[^`]*`)", text.replace("|", "\\|").replace("\n", " "))
     return "".join(p if p.startswith("`") else p.replace("<", "&lt;").replace("*", "\\*").replace("_", "\\_").replace("^", "\\^")
                    for p in pieces)
@@ -60,13 +69,9 @@ def page(about: dict, picture: str | None) -> str:
     """The page of one material."""
     lines = [f"# {about['title']}", "", *_first(about)]
     for warning in about["warnings"]:
-        lines += [f":::{{warning}}\n{sentence(warning)}\n:::", ""]
+        lines += [f":::{{warning}}\n{sentence(warning)}{supplies(warning, about['constants'])}\n:::", ""]
     if picture:
-        several = any(o["row"][0] in "UT" for o in about["others"])
-        which = "of this material and of the other rows below" if several else "of this material"
-        lines += [f"![Hugoniots of {cell(about['title'])}]({picture})", "",
-                  f"Hugoniots {which}, with measured states where the library has them. A curve is thin and dashed outside its stated "
-                  "range.", ""]
+        lines += [f"![Hugoniots of {cell(about['title'])}]({picture})", "", caption(about), ""]
     lines += _constants(about) + _derived(about)
     if about["fits"]:
         lines += ["## Fits to measured states", "", "Least-squares fits of hugoniot to the measured states in its library; ± gives one "
@@ -85,12 +90,36 @@ def rows_used(constants: list[dict]) -> list[str]:
     return list(dict.fromkeys(match.group(1) for match in found if match))
 
 
+def supplies(warning: str, constants: list[dict]) -> str:
+    """Which constants come from the row that a warning names, where they are few."""
+    named = re.match(r"row ([A-Z]\d{3}) ", warning)
+    names = [f"`{c['quantity']}`" for c in constants if named and rows_used([c]) == [named[1]]]
+    return f" Only {' and '.join(names)} {'is' if len(names) == 1 else 'are'} from this row." if 0 < len(names) < 3 else ""
+
+
+def short(mark: str, identity: str) -> str:
+    """A mark of a row in the line of that row, which has its name and source."""
+    row = schema.row(identity)
+    return mark.removeprefix(f"{row.title} ").removeprefix("is ").removesuffix(f" ({row.source})")
+
+
+def caption(about: dict) -> str:
+    """What the picture shows."""
+    what = "this material" if "cj_velocity" not in about["derived"] else "the unreacted explosive"
+    several = any(o["row"][0] in "UT" for o in about["others"])
+    text = f"Hugoniots of {what} and of other rows of the library (see below)" if several else f"Hugoniot of {what}"
+    if measured(about["name"]):
+        text += ", with the measured states of the library"
+    dashed = several or about["valid_up_to"] is not None
+    return text + ("; a curve is thin and dashed outside its stated range." if dashed else ".")
+
+
 def _first(about: dict) -> list[str]:
     """What the material is, which laws describe it, and in which range."""
     kind = about["category"].replace("/", " or ")
     names = f"; these names work too: {', '.join(cell(a) for a in about['aliases'])}" if about["aliases"] else ""
-    lines = [f"This page gives the laws and constants of {cell(about['title'])} ({kind}) in the materials library of hugoniot. In a "
-             f"deck, write `material = \"{about['name']}\"`{names}.", ""]
+    lines = [f"This page gives the laws and constants that hugoniot uses for {cell(about['title'])}. Its category in the materials library "
+             f"is *{kind}*. In a deck, write `material = \"{about['name']}\"`{names}.", ""]
     rows = rows_used(about["constants"])
     if rows:
         listed = rows[0] if len(rows) == 1 else f"{', '.join(rows[:-1])} and {rows[-1]}"
@@ -104,7 +133,9 @@ def _first(about: dict) -> list[str]:
         lines.append(f"* {what[:1].upper() + what[1:]}: [`{law}`](../laws/{folder}/{law}.md). {sentence(text)}")
     if "does not apply" in about["reach"]:
         return [*lines, ""]
-    return [*lines, "", f"**Valid range.** {sentence(about['reach'])}", ""]
+    reach = about["reach"].replace("not stated; estimated as", "the sources state no range; it is estimated as")
+    reach = reach.replace(", where its", ", where the")
+    return [*lines, "", f"**Valid range.** {sentence(reach)}", ""]
 
 
 def _constants(about: dict) -> list[str]:
@@ -147,7 +178,8 @@ def _derived(about: dict) -> list[str]:
 def _others(about: dict) -> list[str]:
     if not about["others"]:
         return []
-    rows = [(o["row"], GROUPS[o["family"]], cell(o["summary"]), sentence(o["source"]) + "".join(f" **{sentence(m)}**" for m in o["marks"]))
+    rows = [(o["row"], GROUPS[o["family"]], cell(o["summary"]),
+             " ".join([sentence(o["source"]), *(f"**{sentence(short(mark, o['row']))}**" for mark in o["marks"])]))
             for o in about["others"]]
     states = [o["row"] for o in about["others"] if o["family"] == "eos"]
     use = f"A deck uses a row of an equation of state as a material by itself, such as `material = \"{states[0]}\"`; a " if states else "A "
@@ -175,8 +207,9 @@ def index(entries: list, laws: dict[str, dict]) -> str:
     counts = summary()
     lines = ["# All materials", "",
              f"This table lists the {counts['curated_materials']} curated materials: for each, laws and constants were chosen from the "
-             f"available sources, and its page gives the reasons. The library holds {counts['rows']} published sets of constants (*rows*) and "
-             f"{counts['measured_states']} measured shock states. `hugoniot material search` finds {counts['searchable_materials']} "
+             f"available sources, and its page gives the reasons. The library holds {counts['rows']} published sets of constants "
+             f"(*rows*) and {counts['measured_states']} measured shock states. "
+             f"`hugoniot material search` finds {counts['searchable_materials']} "
              f"materials, which include rows that are not curated. {counts['rows_unverified_against_print']} rows are quoted from memory, "
              "not checked against the printed source; a warning says so wherever they are used.", ""]
     heads = ("material", "kind", "density, kg/m³", "c0, m/s", "s", "equation of state", "strength law", "spall strength")

@@ -36,20 +36,18 @@ def where_read(via: str) -> str:
     """Where a number was read, or how it was made, as a phrase: what a source's `via` says."""
     if via.startswith("recalled"):
         return MEMORY
-    if via.startswith("least squares"):
-        return "computed by hugoniot from the measured states of its library"
-    if via == "us_up_points.csv":
+    if via == "us_up_points.csv" or via.startswith("least squares"):
         return "the measured states are in the library's table us_up_points.csv"
     if via.startswith("computed by the package"):
         return via.replace("the package", "hugoniot")
     if via.startswith("hugoniot fit-rate"):
-        return f"computed with {via}"
+        return f"the command was `{via}`"
     if via.startswith("public copy"):
         what = "a public Python list of materials by S. Sakai" if "Sakai" in via else "a public file"
         return f"read in {what}, whose repository was not recorded"
     plain = re.sub(r" \(public copy \d+\)", "", via)
     found = [phrase for part in _ANOTHER.split(plain) if (phrase := _place(part))]
-    return f"read in {' and '.join(found)}" if found and "/" in plain else via
+    return f"read in {'; and in '.join(found)}" if found and "/" in plain else via
 
 
 def _place(part: str) -> str:

@@ -68,7 +68,7 @@ def estimated_gamma(row: Row) -> Source:
     Follows from a Hugoniot linear in up and the Dugdale-MacDonald relation at zero pressure; the Hugoniot itself does not depend on it.
     """
     value = max(2.0 * row["s"] - 1.0, 0.1)
-    return Source("gamma0", value, "1", "estimated as 2 s - 1 (Dugdale and MacDonald), not measured", row.via, "derived",
+    return Source("gamma0", value, "1", "estimated as 2 s - 1 (Dugdale and MacDonald), not measured", "", "derived",
                   f"row {row.id} gives no Grüneisen parameter")
 
 
@@ -111,8 +111,8 @@ def _johnson_cook(row: Row) -> Card:
         if column in row:
             found[parameter] = row.constant(column, parameter)
     if "room_temperature" not in found:
-        found["room_temperature"] = Source("room_temperature", ROOM_TEMPERATURE, "K", "room temperature", row.via, "derived",
-                                           f"row {row.id} states none; {ROOM_TEMPERATURE} K assumed")
+        found["room_temperature"] = Source("room_temperature", ROOM_TEMPERATURE, "K", "room temperature, assumed by hugoniot",
+                                           status="derived", note=f"row {row.id} states none; {ROOM_TEMPERATURE} K assumed")
     return found
 
 

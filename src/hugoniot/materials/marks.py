@@ -36,7 +36,7 @@ class Closure(NamedTuple):
             parts.append(f"a detonation velocity of {self.velocity:.0f} m/s, {_beside(self.velocity_misfit)}")
         if not math.isnan(self.pressure_misfit):
             parts.append(f"a CJ pressure of {self.pressure / 1e9:.1f} GPa, {_beside(self.pressure_misfit)}")
-        return " and ".join(parts)
+        return ", and ".join(parts)
 
 
 def misfits(row: Row, velocity: float, pressure: float) -> Closure:

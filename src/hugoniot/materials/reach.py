@@ -46,12 +46,12 @@ def about(row: Row) -> str:
         begin, deviation = format_si(row["up_min"], "m/s"), format_si(row["us_deviation"], "m/s", 3)
         return (f"the range of the {row['states']:g} measured states of row {row.id}, which begin at {begin}; their shock velocities "
                 f"deviate from the curve of this row by {deviation}, root mean square")
-    found = [f"row {row.id}"]
-    if "up_max" in row:
-        found.append(row.range_from() or "as stated by its source")
+    found = f"the range of the fit of row {row.id}" if row.status == "derived" else f"as stated by the source of row {row.id}"
+    if "up_max" not in row or row.range_from():
+        found = f"row {row.id}" + (f": {row.range_from()}" if row.range_from() else "")
     if "us_deviation" in row:
-        found.append(f"with a deviation of the shock velocities of {format_si(row['us_deviation'], 'm/s', 3)}")
-    return ", ".join(found)
+        found += f", with a deviation of the shock velocities of {format_si(row['us_deviation'], 'm/s', 3)}"
+    return found
 
 
 def range_of(row: Row) -> str:

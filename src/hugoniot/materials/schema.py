@@ -63,7 +63,7 @@ class Row:
         if name.startswith("recorded_") and status != "recalled":
             status = "derived"
         elif name in _OF_STATES and (found := self.range_from()):
-            source, via, status = found, "us_up_points.csv" if "states" in self else via, "derived"
+            source, via, status = found, "us_up_points.csv" if "states" in self else "", "derived"
         return Source(quantity or name, self.values[name], self.units[name], source, via, status,
                       "; ".join(t for t in (f"row {self.id}", self.note) if t))
 

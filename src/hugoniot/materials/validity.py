@@ -73,7 +73,7 @@ def _ends(par) -> list[tuple[float, str]]:
     low, high = rho0, min(COMPRESSED * rho0, density_limits(par)[1] * (1.0 - 1e-9))
     p = _hugoniot(high, par)
     if p < math.inf and high == COMPRESSED * rho0 and rho0 > LIGHTEST:
-        found.append((_velocity(high, p, par), f"where its law compresses it more than {COMPRESSED:g} times in one shock"))
+        found.append((_velocity(high, p, par), f"where its law gives a compression of more than {COMPRESSED:g} in one shock"))
     if p > HIGHEST:
         rho = _root(lambda rho: min(_hugoniot(rho, par), 1e3 * HIGHEST) - HIGHEST, low, high)
         found.append((_velocity(rho, HIGHEST, par), f"where a shock has more than {HIGHEST * 1e-12:g} TPa"))

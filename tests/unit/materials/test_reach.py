@@ -27,7 +27,7 @@ zones = 10
 
 def test_a_range_names_what_stands_behind_it():
     assert reach(library.find("nickel")).startswith("particle velocity up to 2145 m/s (the range of the 18 measured states of row U016, which begin at 470 m/s;")
-    assert "stated by its source" in reach(library.find("U244")) and "14 m/s" in reach(library.find("U244"))
+    assert "stated by the source of row U244" in reach(library.find("U244")) and "14 m/s" in reach(library.find("U244"))
     assert "standard of impedance matches" in reach(library.find("aluminum_2024"))
     assert range_of(schema.row("U247")).startswith("2200 m/s to 4700 m/s")
 
