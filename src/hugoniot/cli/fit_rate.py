@@ -107,7 +107,7 @@ def _line(name: str, own: str):
                                "it has: " + ", ".join(f"{r.id} {r.material}" for r in library.schema.table("pop_plot").values())
                                + '; or give your own with --line "a, b"')
     row = rows[0]
-    doubt = "; unverified against print" if row.status == "recalled" else ""
+    doubt = "; not checked against the printed source" if row.status == "recalled" else ""
     span = f"{row['pressure_low'] * 1e-9:g} to {row['pressure_high'] * 1e-9:g} GPa"
     return PopLine(row["a"], row["b"]), f"{row.id} {row.material}, measured from {span} ({row.source}{doubt})"
 

@@ -209,7 +209,10 @@ def _echo_listings(rows: list[dict], as_json: bool) -> None:
         echo_json(rows)
         return
     cells = [(r["name"], r["category"], r["title"] if r["curated"] else "not curated", ", ".join(r["aliases"] or r["rows"])) for r in rows]
-    echo_table(["name", "category", "title", "also"], cells)
+    echo_table(["name", "category", "title", "other names, or rows"], cells)
+    if not all(r["curated"] for r in rows):
+        typer.echo("not curated: no choice was made among the sources; give the id of a row, such as "
+                   f"{next(r['rows'][0] for r in rows if not r['curated'])}, as the material")
 
 
 def _counts(as_json: bool) -> None:

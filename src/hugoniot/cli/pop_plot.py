@@ -160,7 +160,7 @@ def _tell(found, lines) -> None:
             told += f" (a +- {line.a_deviation:.2g}, b +- {line.b_deviation:.2g}; points +- {line.deviation:.2g} in log10 p)"
         typer.echo(told)
     for row in lines:
-        doubt = "; unverified against print" if row.status == "recalled" else ""
+        doubt = "; not checked against the printed source" if row.status == "recalled" else ""
         typer.echo(f"{row.id} {row.material}, {row['rho0']:g} kg/m3: log10(p/GPa) = {row['a']:g} {row['b']:+g} log10(x/mm), "
                    f"{row['pressure_low'] * 1e-9:g} to {row['pressure_high'] * 1e-9:g} GPa ({row.source}{doubt})")
     for p in found.points:

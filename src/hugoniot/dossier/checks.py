@@ -170,7 +170,7 @@ def _jwl(row: Row) -> Iterator[Finding]:
 def _jwlb(row: Row) -> Iterator[Finding]:
     energy, velocity, p, _ = on_isentrope(isentrope_of(row), row["rho0"])
     misfit = energy / row["e0"] - 1.0
-    text = f"E0 from tangency {100 * misfit:+.2f} % off the stated value; D {velocity:.0f} m/s, p {p / 1e9:.1f} GPa"
+    text = f"E0 from tangency deviates by {100 * misfit:+.2f} % from the stated value; D = {velocity:.0f} m/s, p = {p / 1e9:.1f} GPa"
     yield _judge(row.id, "E0 from tangency", misfit, ENERGY_LIMIT, text, "mark")
 
 
@@ -222,7 +222,9 @@ def check_point(k: int, point: Row) -> Iterator[Finding]:
     up, us = point["up"], point["us"]
     yield Finding(where, "shock velocity above particle velocity", "ok" if us > up else "fail", us, up)
     if point.get("pressure"):
-        yield _judge(where, "pressure = rho0 Us up", point["rho0"] * us * up / point["pressure"] - 1.0, POINT_LIMIT, otherwise="mark")
+        misfit = point["rho0"] * us * up / point["pressure"] - 1.0
+        text = f"{100 * misfit:+.2f} % from the pressure reported"
+        yield _judge(where, "pressure = rho0 Us up", misfit, POINT_LIMIT, text, "mark")
 
 
 def check_fit(identity: str) -> Iterator[Finding]:
