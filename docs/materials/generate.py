@@ -24,6 +24,8 @@ TARGET = HERE.parent / "generated" / "materials"
 SCALES = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m³"), "1/Pa": (1e-9, "1/GPa"), "kg/m^3": (1.0, "kg/m³"), "1": (1.0, ""),
           "J/kg/K": (1.0, "J/(kg K)")}
 RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+SAID = {"detonation": "Stated values for comparison; the laws do not use them.",
+        "rate": "These belong to the variant `material = \"{name} reactive\"`, which replaces the programmed burn by ignition and growth."}
 ROWS = "These rows of the library are for the same material or a similar one; this material does not use them. {use}"
 FILE = "\"The file\" is the public file in which a row was read; `hugoniot material show {example}` names it."
 
@@ -146,6 +148,8 @@ def _constants(about: dict) -> list[str]:
              "tables. A default value is the one that the law takes where no source gives another.", ""]
     for group, members in grouped(constants).items():
         lines += [f"### {GROUPS[group].capitalize()}", ""]
+        if group in SAID:
+            lines += [SAID[group].format(name=about["name"]), ""]
         rows = []
         for c, mark in ((constants[k], marks[k]) for k in members):
             name, value = c["quantity"].removeprefix(f"{group}."), number(c["value"], c["unit"], 5 if c["status"] == "derived" else 0)

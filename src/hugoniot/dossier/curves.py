@@ -89,7 +89,7 @@ def comparison(entries: Sequence[Entry], up_max: float | None = None) -> Compari
     states = tuple(s for entry in entries for s in measured(entry.name, 1.03 * top))
     if len(entries) == 1:
         curves, notes = _sources(entries[0], top)
-        title = f"{entries[0].title}: sources"
+        title = f"{entries[0].title}: Hugoniots from several sources"
     else:
         made = [(entry, _material_curve(entry, top)) for entry in entries]
         curves = [c for _, c in made if c]

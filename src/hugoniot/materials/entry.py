@@ -183,7 +183,7 @@ class _Reader:
         found = {k: v if k == "law" else self.inner(f"{place}.{k}", v) if isinstance(v, dict) and "row" in v
                  else self.value(f"{place}.{k}", v, units.get(k, "1")) for k, v in merged.items()}
         if tabulated and "heat_capacity" not in schema.row(tabulated.split(".")[0]):
-            self.collector.add(("material", self.name, *place.split("."), "specific_heat"), f"the library has no cell '{tabulated}'")
+            self.collector.add(("material", self.name, *place.split("."), "specific_heat"), f"the library has no value '{tabulated}'")
         elif tabulated:
             row = schema.row(tabulated.split(".")[0])
             self.use(row)
@@ -225,10 +225,10 @@ class _Reader:
             try:
                 found = schema.cell(value)
             except KeyError:
-                self.collector.add(path, f"the library has no cell '{value}'")
+                self.collector.add(path, f"the library has no value '{value}'")
                 return value
             if found is not None and found.unit != unit:
-                self.collector.add(path, f"the cell '{value}' is in {found.unit}, not in {unit}")
+                self.collector.add(path, f"the value '{value}' is in {found.unit}, not in {unit}")
                 return value
             if found is not None:
                 self.use(schema.row(value.split(".")[0]))
@@ -250,7 +250,7 @@ class _Reader:
         if said["status"] not in (*schema.STATUSES, "user"):
             self.collector.add((*path, "status"), f"unknown status '{said['status']}'", f"known: {', '.join((*schema.STATUSES, 'user'))}")
         if said["status"] == "recalled":
-            self.marks.append(f"{quantity}: {schema.UNVERIFIED} ({said['source']})")
+            self.marks.append(f"{quantity} is quoted from memory, {schema.UNVERIFIED} ({said['source']})")
         self.sources.append(Source(quantity, number, unit, said["source"], said["via"], said["status"], said["note"]))
         return number
 

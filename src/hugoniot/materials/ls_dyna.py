@@ -125,12 +125,12 @@ def material_tables(cards: dict[str, dict[str, float]], scale: Scale, file: str,
             tables["eos"]["specific_heat"] = heat
             tables["eos"].setdefault("reference_temperature", strength["TR"])
         if any(strength.get(f"D{k}", 0.0) for k in range(1, 6)):
-            left.append("the damage constants D1 to D5 are left out: this package has no such fracture law")
+            left.append("the damage constants D1 to D5 are omitted: hugoniot has no such fracture law")
         if strength.get("PC", 0.0):
-            left.append(f"the pressure cut-off PC = {strength['PC'] * scale.pressure:.4g} Pa is left out; "
+            left.append(f"the pressure cut-off PC = {strength['PC'] * scale.pressure:.4g} Pa is omitted; "
                         "[material.NAME.fracture] sets one")
     if "MAT_HIGH_EXPLOSIVE_BURN" in cards:
-        left.append(f"the burn by D = {cards['MAT_HIGH_EXPLOSIVE_BURN']['D'] * scale.speed:.6g} m/s is left out: the table is that of the "
+        left.append(f"the burn by D = {cards['MAT_HIGH_EXPLOSIVE_BURN']['D'] * scale.speed:.6g} m/s is omitted: the table is that of the "
                     "products; [material.NAME.burn] sets one")
     return tables, left
 

@@ -3,7 +3,7 @@
     [material.copper.eos]
     law = "table"
     file = "copper.csv"                          # or .h5, or SESAME-format ASCII; relative to the file that names it
-    rho0 = "8930 kg/m^3"                         # optional: density at rest, else where the isotherm has zero pressure
+    rho0 = "8930 kg/m^3"                         # optional: reference density, else where the isotherm has zero pressure
     reference_temperature = "298.15 K"           # optional
     density_range = ["8 g/cm^3", "14 g/cm^3"]    # optional: the part of the table to use
     temperature_range = ["300 K", "3000 K"]      # optional
@@ -94,7 +94,7 @@ def _range(value: Any, unit: str, collector: Collector, path: tuple) -> tuple[fl
         return None
     low, high = (collector.quantity((*path, i), v, unit) for i, v in enumerate(value))
     if low is not None and high is not None and not low < high:
-        collector.add(path, "does not rise", "write the lower value first")
+        collector.add(path, "the second value must exceed the first", "write the lower value first")
     return None if low is None or high is None else (low, high)
 
 
@@ -102,4 +102,4 @@ def _others(path: Path) -> str:
     """The tables that lie where one was sought."""
     folder = path.parent
     found = sorted(f.name for f in folder.iterdir() if f.suffix.lower() in _SUFFIXES)[:5] if folder.is_dir() else []
-    return f"tables there: {', '.join(printable(f) for f in found)}" if found else "the name is relative to the file that holds it"
+    return f"tables in that folder: {', '.join(printable(f) for f in found)}" if found else "the name is relative to the file that has it"

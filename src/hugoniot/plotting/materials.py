@@ -73,7 +73,7 @@ def _colours(chosen: Comparison, sources: bool) -> dict:
 def _finish(figure: Any, axes: Any, chosen: Comparison, unit: str, legend: float) -> None:
     panels = len(axes)
     top = max((float(c.up[-1]) for c in chosen.curves), default=1e3) * 1.03 / 1e3
-    for axis, name in zip(axes, ("shock velocity (km/s)", f"pressure ({unit})", "Us, difference from the default (%)")):
+    for axis, name in zip(axes, ("shock velocity (km/s)", f"pressure ({unit})", "Us, difference from the curve used (%)")):
         axis.set_xlabel("particle velocity (km/s)")
         axis.set_ylabel(name)
         axis.grid(True, color="0.9", linewidth=0.6)
@@ -88,7 +88,7 @@ def _finish(figure: Any, axes: Any, chosen: Comparison, unit: str, legend: float
     figure.tight_layout(rect=(0.0, share, 1.0, 0.99))
     figure.legend(handles, labels, loc="lower center", ncols=panels, fontsize=8, frameon=False,
                   bbox_to_anchor=(0.5, 0.17 / figure.get_figheight()))
-    figure.text(0.5, 0.05 / figure.get_figheight(), "full line: within the range the source states, or none stated; dashed: outside it",
+    figure.text(0.5, 0.05 / figure.get_figheight(), "full line: within the stated range, or where no range is stated; dashed: outside it",
                 ha="center", va="bottom", fontsize=7.5, color="0.35")
 
 
