@@ -152,7 +152,8 @@ def _constants(about: dict) -> list[str]:
             lines += [SAID[group].format(name=about["name"]), ""]
         rows = []
         for c, mark in ((constants[k], marks[k]) for k in members):
-            name, value = c["quantity"].removeprefix(f"{group}."), number(c["value"], c["unit"], 5 if c["status"] == "derived" else 0)
+            few = 5 if c["status"] == "derived" or c["unit"] == "J/kg/K" else 0     # a specific heat per volume was divided by the density
+            name, value = c["quantity"].removeprefix(f"{group}."), number(c["value"], c["unit"], few)
             rows.append((f"`{name}`", cell(about["meanings"].get(c["quantity"], "")), value, mark, c["mark"]))
         lines += table(["name", "meaning", "value", "source", "remark"], rows)
     if sources:
