@@ -1,9 +1,10 @@
-"""Prints the measured numbers of docs/theory/detonation.md, in the order of that page; the problems are those of tests/verification.
+"""Prints the measured numbers of docs/theory: detonation.md, detonation_verification.md, initiation.md. The problems are those of
+tests/verification.
 
     python benchmarks/detonation_numbers.py                # all, half an hour on one core
     python benchmarks/detonation_numbers.py programmed     # parts: see PARTS, at the end
 
-The page is written by hand, because its tables set what is found beside what was asked. Percentages are of the value compared with.
+The pages are written by hand, because their tables set what is found beside what is required. Percentages are of the value compared with.
 """
 
 import dataclasses
