@@ -146,7 +146,8 @@ def resolutions() -> list[str]:
                 solver.march(problem.stop_time, 10**9)
                 found = thickness_by_differences(solver.h, solver.cells[0], *solver.ends[:, 0]) / path
                 row.append(f"{found:.3g}")
-            rows += [[block.replace("_", " ").replace("maxwell", "Maxwell"), f"{mach:g}", "here", *row, f"{true / path:.4g}"], ["", "", "Jordan", *prints, ""]]
+            name = block.replace("_", " ").replace("maxwell", "Maxwell")
+            rows += [[name, f"{mach:g}", "here", *row, f"{true / path:.4g}"], ["", "", "Jordan", *prints, ""]]
     return ["Density thickness as Jordan computes it (eq. 6.2.5, central differences), in units of the mean free path of each block "
             "of table 6.2.1.1, for runs started from a step. A column headed N has cells 300/N mean free paths wide; the column *steady* "
             f"is the exact thickness. Our runs end once a thickness spans {ENOUGH} cells; NA is printed in the source.", "",
