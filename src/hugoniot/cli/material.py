@@ -291,7 +291,7 @@ def _echo_material(about: dict) -> None:
             scale, unit = SHOWN.get(q["unit"], (1.0, q["unit"]))
             cells.append((DERIVED[key], digits(q["value"] / scale), "" if unit == "1" else unit, q["meaning"]))
         warm = f", temperature {state['temperature']:g} K" if state["temperature"] is not None else ""
-        where = f"density {state['density']:.4g} kg/m3{warm}"
+        where = f"density {state['density']:.5g} kg/m3{warm}"
         typer.echo(f"\nderived quantities ({'CJ state' if 'cj_velocity' in about['derived'] else f'at the reference state, {where}'}):")
         echo_table(["quantity", "value", "unit", "how it is computed"], cells)
         if differences(about):

@@ -103,15 +103,17 @@ def _meanings(registry, par) -> dict[str, str]:
 
 
 def differences(about: dict) -> str:
-    """Why derived elastic constants differ from those of the strength law, where they do; empty otherwise."""
-    if about["laws"].get("strength") != "steinberg_guinan" or "shear_modulus" not in about["derived"]:
-        return ""
-    stated = next((c["value"] for c in about["constants"] if c["quantity"] == "strength.shear_modulus"), math.nan)
-    found = about["derived"]["shear_modulus"]["value"]
-    if not abs(found / stated - 1.0) > 1e-6:
-        return ""
-    return ("The shear modulus and yield stress differ slightly from the constants of the strength law, because those are for 300 K and "
-            f"these for {about['reference']['temperature']:g} K.")
+    """How derived quantities differ from the material's own at low pressure, or from the constants of its strength law; empty where not."""
+    found = []
+    if about["data_begin"] and "bulk_sound_speed" in about["derived"]:
+        found.append(f"They describe the fitted law, whose data begin at a particle velocity of {about['data_begin']:g} m/s; the material "
+                     "itself has other sound speeds and elastic constants at low pressure.")
+    if about["laws"].get("strength") == "steinberg_guinan" and "shear_modulus" in about["derived"]:
+        stated = next((c["value"] for c in about["constants"] if c["quantity"] == "strength.shear_modulus"), math.nan)
+        if abs(about["derived"]["shear_modulus"]["value"] / stated - 1.0) > 1e-6:
+            found.append("The shear modulus and yield stress differ slightly from the constants of the strength law, because those are "
+                         f"for 300 K and these for {about['reference']['temperature']:g} K.")
+    return " ".join(found)
 
 
 def digits(value: float, count: int = 4) -> str:

@@ -25,19 +25,32 @@ def reach(material: Material) -> str:
         end = range_of_validity(material)
         return f"not stated; estimated as particle velocity up to {rounded(end.up)}, {end.why}; a run beyond this limit gives a warning"
     found = f"particle velocity up to {format_si(material.valid_up_to, 'm/s')}"
-    source = next((s for s in material.sources if s.quantity == "valid_up_to" and s.value == material.valid_up_to), None)
+    source = _range_source(material)
     if source is None:
         return found
-    named = _ROW.search(source.note)
-    basis = ""
-    if named:
-        row = schema.row(named.group(1))
-        basis = about(row)
-        if row.get("up_min", 0.0) >= FAR_BRANCH:
-            found = f"particle velocity {format_si(row['up_min'], 'm/s')} to {format_si(material.valid_up_to, 'm/s')}"
+    basis = about(row) if (row := _range_row(source)) else ""
+    if begin := data_begin(material):
+        found = f"particle velocity {format_si(begin, 'm/s')} to {format_si(material.valid_up_to, 'm/s')}"
     if not basis and source.status == "derived":
         basis = f"derived, {source.note}" if source.note else "derived"
     return f"{found} ({basis})" if basis else found
+
+
+def data_begin(material: Material) -> float:
+    """Particle velocity (m/s) at which the data behind a material's Hugoniot begin, where they lie beyond a transition or melt; else 0."""
+    source = _range_source(material)
+    row = _range_row(source) if source else None
+    begin = row.get("up_min", 0.0) if row else 0.0
+    return begin if begin >= FAR_BRANCH else 0.0
+
+
+def _range_source(material: Material):
+    return next((s for s in material.sources if s.quantity == "valid_up_to" and s.value == material.valid_up_to), None)
+
+
+def _range_row(source) -> Row | None:
+    named = _ROW.search(source.note)
+    return schema.row(named.group(1)) if named else None
 
 
 def about(row: Row) -> str:

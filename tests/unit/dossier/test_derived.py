@@ -7,7 +7,9 @@ import pytest
 import second_routes
 
 from hugoniot.dossier import derived
-from hugoniot.errors import NoSolution
+from hugoniot.dossier.describe import described
+from hugoniot.dossier.wording import differences
+from hugoniot.errors import DeckError, NoSolution
 from hugoniot.laws.eos.contract import EOS, pressure, reference_state, temperature
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope
@@ -125,3 +127,16 @@ def test_numbers_are_plain():
     for entry in library.find_all():
         for quantity in derived.derived_quantities(entry.material, entry.unreacted).values():
             assert type(quantity.value) is float and np.isfinite(quantity.value)
+
+
+@pytest.mark.parametrize("name, begins", [("iron", 1540.0), ("fused_silica", 6660.0), ("copper", None)])
+def test_derived_constants_of_a_law_fitted_beyond_a_transition_are_called_so(name, begins):
+    """Iron's c0 of 3.72 km/s is an intercept: the sound speed of iron is 4.6 km/s."""
+    about = described(library.entry(name))
+    assert about["data_begin"] == begins
+    assert (f"data begin at a particle velocity of {begins or 0:g} m/s" in differences(about)) == (begins is not None)
+
+
+def test_alpha_iron_is_not_the_iron_above_its_transition():
+    with pytest.raises(DeckError, match="alpha iron"):
+        library.find("alpha iron")
