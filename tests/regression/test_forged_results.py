@@ -109,16 +109,16 @@ def test_a_list_of_fronts_without_a_column_is_refused_in_words(solved, tmp_path,
     (folder / "fronts.csv").write_text("".join(",".join(cell for n, cell in enumerate(line.split(",")) if n != k) + "\n" for line in (head, *lines)))
     sign(folder, load(solved("fronts")).summary, "fronts.csv")
     code, err = told("plot", folder, "xt", "--out", tmp_path / "picture.png")
-    assert code == 4 and f"fronts.csv: not the fronts of a run (it has no column '{name}')" in err
+    assert code == 4 and f"fronts.csv: not written by hugoniot, or damaged (the column '{name}' is missing)" in err
 
 
 def test_a_gauge_column_that_is_gone_is_named(solved, tmp_path):
     assert forge(solved("line"), tmp_path / "run", lambda file: file.__delitem__("gauges/velocity"))
-    with pytest.raises(FileTrouble, match=r"result.h5: not the result of a run \(gauges: has no column 'velocity'\)"):
+    with pytest.raises(FileTrouble, match=r"result.h5: not written by hugoniot, or damaged \(gauges: the dataset 'velocity' is missing\)"):
         load(tmp_path / "run").gauge("velocity")
     for words in (("info", tmp_path / "run"), ("plot", tmp_path / "run", "gauge"), ("report", tmp_path / "run"), ("compare", tmp_path / "run", solved("line"))):
         code, err = told(*words)
-        assert code == 4 and "gauges: has no column 'velocity'" in err
+        assert code == 4 and "gauges: the dataset 'velocity' is missing" in err
 
 
 def test_texts_without_an_end_are_not_begun_with(solved, tmp_path):

@@ -141,7 +141,7 @@ def test_a_result_of_another_program_is_refused_in_words(whole, tmp_path, capsys
     summary["sha256"]["result.h5"] = digest(folder / "result.h5").sha256
     (folder / "summary.json").write_text(sealed_json(summary))
     code, _, err = command(capsys, "info", folder)
-    assert code == 4 and "unexpected" not in err and ("not the result of a run" in err or "damaged" in err)
+    assert code == 4 and "unexpected" not in err and ("not written by hugoniot" in err or "damaged" in err)
 
 
 def test_an_unfinished_run_is_verified_too(tmp_path):

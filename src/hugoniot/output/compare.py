@@ -103,21 +103,23 @@ def read_table(path) -> list[Record]:
         text = read_regular(path).decode("utf-8-sig", errors="replace")
     lines = csv_rows(text, path)
     if not lines or len(lines[0][1]) < 2:
-        raise _table_error(path, 1, "table", "needs a line of column headers, a time column and at least one more", _HEADS)
+        raise _table_error(path, 1, "table", "needs a line of column headers, with a time column and at least one more", _HEADS)
     if len(lines) < 2:
-        raise _table_error(path, 1, "table", "holds no values below its headers", "give one time and its values in each line")
+        raise _table_error(path, 1, "table", "no values below the column headers", "give one time and its values in each line")
     heads = [_head(path, head, k) for k, head in enumerate(lines[0][1])]
     rows = np.empty((len(lines) - 1, len(heads)))
     for k, (n, row) in enumerate(lines[1:]):
         if len(row) != len(heads):
-            raise _table_error(path, n, "row", f"{len(row)} values under {len(heads)} headers")
+            raise _table_error(path, n, "row", f"{len(row)} values under {len(heads)} column headers",
+                               "give one value for each column")
         for c, cell in enumerate(row):
             try:
                 rows[k, c] = float(cell) * heads[c][2]
             except ValueError:
-                raise _table_error(path, n, heads[c][0], f"'{cell.strip()[:40]}' is not a number") from None
+                raise _table_error(path, n, heads[c][0], f"'{cell.strip()[:40]}' is not a number",
+                                   "write a number in the unit of the header") from None
     if not np.all(np.isfinite(rows)) or np.any(np.diff(rows[:, 0]) <= 0):
-        raise _table_error(path, None, heads[0][0], "the times must increase and every value be finite")
+        raise _table_error(path, None, heads[0][0], "the times must increase, and every value must be a finite number")
     return [_record(name, unit, rows[:, 0], rows[:, c + 1]) for c, (name, unit, _) in enumerate(heads[1:])]
 
 
@@ -230,11 +232,11 @@ def compare(a, b, gauge: str | None = None) -> Comparison:
         unmatched += [f"{own.gauge} {own.field}" for own in mine if (own.gauge, own.field) not in there]
     name_b = str(b.folder if isinstance(b, Run) else b)
     if not pairs and apart:
-        raise _table_error(name_b, None, "time", f"no record in it overlaps in time with its counterpart in {run.folder}",
-                           "check the unit and the origin of its times")
+        raise _table_error(name_b, None, "time", f"no record here overlaps in time with its counterpart in {run.folder}",
+                           "check the unit and the origin of the times")
     if not pairs:
         known = sorted({f"{r.gauge} {r.field}" for r in mine})
-        message = f"no record in it matches a gauge of {run.folder}"
+        message = f"no record here matches a gauge of {run.folder}"
         raise _table_error(name_b, None, "columns", message,
                            f"{run.folder} has: {', '.join(known[:8])}" + (f" and {len(known) - 8} more" if len(known) > 8 else ""))
     return Comparison(str(run.folder), name_b, tuple(pairs), tuple(unmatched), tuple(notes))

@@ -52,41 +52,41 @@ class Described(NamedTuple):
 
 
 def described(file, listed: bool) -> dict[str, Described]:
-    """The groups of an open result. Raises `Misfit`, such as "gauges: has no column 'velocity'", and what HDF5 raises for damage.
+    """The groups of an open result. Raises `Misfit`, such as "gauges: the dataset 'velocity' is missing", and what HDF5 raises for damage.
 
     listed   whether the columns must be listed; those of early runs were not
     """
     holder = _own(file, "setup")
     if not isinstance(holder, h5py().Group):
-        raise Misfit("it has no group 'setup'")
+        raise Misfit("the group 'setup' is missing")
     for name in ("document", "deck"):
         data = _own(holder, name)
         if not isinstance(data, h5py().Dataset):
-            raise Misfit(f"setup: has no '{name}'")
+            raise Misfit(f"setup: the dataset '{name}' is missing")
         if data.external or data.is_virtual or data.shape != () or h5py().check_string_dtype(data.dtype) is None:
-            raise Misfit(f"setup/{name}: is not one text")
+            raise Misfit(f"setup/{name}: is not a single string")
     found = {group: _described(_own(file, group), group, listed) for group in AXES if group != "mesh" or "mesh" in file}
     for name in ("centre", "centre_x", "centre_y"):
         if name in found["peaks"].shapes and name not in found["snapshots"].shapes:
-            raise Misfit(f"snapshots: has no column '{name}'")
+            raise Misfit(f"snapshots: the dataset '{name}' is missing")
     return found
 
 
 def _described(table, group: str, listed: bool) -> Described:
     if not isinstance(table, h5py().Group):
-        raise Misfit(f"it has no group '{group}'")
+        raise Misfit(f"the group '{group}' is missing")
     axes, names, order = AXES[group], list(table), []
     wanted = [*(name for name in axes if name != "node"), *_NEEDED.get(group, ())]
     if ORDER in table.attrs or group in _LISTED and listed:
         written = table.attrs.get(ORDER)
         if not isinstance(written, str):
-            state = "missing" if written is None else "no text"
-            raise Misfit(f"{group}: its attribute '{ORDER}', which lists what was recorded, is {state}")
+            state = "missing" if written is None else "not a string"
+            raise Misfit(f"{group}: the attribute '{ORDER}', which lists what was recorded, is {state}")
         order, lost = in_order(written, names)
         wanted += lost
     lost = [name for name in wanted if name not in names]
     if lost:
-        raise Misfit(f"{group}: has no column '{lost[0]}'")
+        raise Misfit(f"{group}: the dataset '{lost[0]}' is missing")
     found, own = Described({}, {}, {}, {}), {name: _own(table, name) for name in names}
     places = places_of({name: data for name, data in own.items() if name in axes and data is not None})
     for name in sorted(names, key=lambda name: name not in axes):      # the lengths of the axes are asked for by the others
@@ -110,22 +110,22 @@ def _own(group, name: str):
 def _describe_column(data, group: str, name: str, places: dict[int, str], found: Described) -> None:
     """Add a column to those found before it, its axes among them, which lie at `places` of the file. Raises `Misfit`."""
     if not isinstance(data, h5py().Dataset):
-        raise Misfit("not a column")
+        raise Misfit("is not a dataset")
     shape, kind = data.shape, data.dtype
     if name in AXES[group]:
         along = (name,)
         if len(shape or ()) != 1:
-            raise Misfit(f"is of shape {shape}; an axis has one dimension")
+            raise Misfit(f"has the shape {shape}, but must have one dimension")
     else:
         along = axes_of(data, places)
         short = along == ("time",) and (group == "gauges" or group == "snapshots" and name not in _WHOLE)
         if not along or short or shape != tuple(found.shapes[axis][0] for axis in along if axis in found.shapes):
-            raise Misfit(f"is of shape {shape}, which does not fit the axes of '{group}'")
+            raise Misfit(f"has the shape {shape}, which does not fit the axes of '{group}'")
     _check_kind(data, name, shape, kind)
     attributes = {key: data.attrs[key] for key in _SHOWN if key in data.attrs}
     for key, words in attributes.items():
         if not isinstance(words, str):
-            raise Misfit(f"its attribute '{key}' is no text")
+            raise Misfit(f"the attribute '{key}' is not a string")
     for part, value in zip(found, (shape, kind, attributes, along)):
         part[name] = value
 
@@ -157,16 +157,16 @@ def places_of(axes: dict) -> dict[int, str]:
 
 def _check_kind(data, name: str, shape: tuple, kind) -> None:
     if data.external or data.is_virtual:
-        raise Misfit("its values lie in another file")
+        raise Misfit("its values are stored in another file")
     if name in _TEXTS:
         if h5py().check_string_dtype(kind) is None:
-            raise Misfit(f"holds {kind}, not texts")
+            raise Misfit(f"holds values of type {kind}, not strings")
         return
     kinds = "iu" if name in _WHOLE else "f" if name == "time" else "fiu"
     if kind.kind not in kinds or kind.subdtype is not None or h5py().check_enum_dtype(kind) is not None:
-        raise Misfit(f"holds {kind}, not {'whole ' if name in _WHOLE else ''}numbers")
+        raise Misfit(f"holds values of type {kind}, not {'whole ' if name in _WHOLE else ''}numbers")
     if kind.kind == "f" and kind.itemsize != 8:
-        raise Misfit(f"holds {kind}, not doubles")
+        raise Misfit(f"holds values of type {kind}, not float64")
     size = kind.itemsize * math.prod(shape)
     if size and data.id.get_storage_size() < size:
-        raise Misfit("its values were never written")
+        raise Misfit("its values are missing")

@@ -96,11 +96,11 @@ class Run:
                 head, *lines = read_text(path).splitlines()
             names, rows = head.split(","), [line.split(",") for line in lines]
             if lost := [name for name in ("kind", "time", "position", "end_time", "end_position", "strength") if name not in names]:
-                raise ValueError(f"it has no column '{lost[0]}'")
+                raise ValueError(f"the column '{lost[0]}' is missing")
             columns = dict(zip(names, zip(*rows, strict=True), strict=True)) if rows else dict.fromkeys(names, ())
             return {name: np.array(values) if name == "kind" else np.array(values, dtype=float) for name, values in columns.items()}
         except ValueError as error:     # only a damaged file that is read on demand
-            raise FileTrouble(f"{path}: not the fronts of a run ({error})") from error
+            raise FileTrouble(f"{path}: not written by hugoniot, or damaged ({error})") from error
 
     @cached_property
     def _setup(self) -> tuple[dict, str]:
@@ -111,12 +111,12 @@ class Run:
                 group = file["setup"]
                 document, deck = json.loads(group["document"].asstr()[()]), group["deck"].asstr()[()]
                 if not isinstance(document, dict):
-                    raise ValueError("its document is no table")
+                    raise ValueError("the document is not a table")
         except (RuntimeError, KeyError, ValueError, TypeError, AttributeError, RecursionError) as error:
             raise FileTrouble(f"{self.folder / 'result.h5'}: setup: damaged, cannot be read ({error})") from error
         wrong = "" if self.partial else wrong_setup(document, "mesh" in self._described)
         if wrong:
-            raise FileTrouble(f"{self.folder / 'result.h5'}: not the result of a run (its set-up: {wrong})")
+            raise FileTrouble(f"{self.folder / 'result.h5'}: not written by hugoniot, or damaged (setup: {wrong})")
         return document, deck
 
     @property
@@ -172,7 +172,7 @@ class Run:
             try:
                 return described(file, listed="sha256" in self.summary)
             except (Misfit, OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError) as error:
-                what = "not the result of a run" if isinstance(error, Misfit) else "cannot be read as a result"
+                what = "not written by hugoniot, or damaged" if isinstance(error, Misfit) else "cannot be read as a result"
                 raise FileTrouble(f"{path}: {what} ({error})") from error
 
     def _table(self, group: str) -> tuple[Columns, dict, dict]:
@@ -187,7 +187,7 @@ class Run:
                 self._tables[group] = Columns.of(self._open, place, group, self._described[group])
             if group not in self._tables:
                 if group in GROUPS:
-                    raise FileTrouble(f"{self.folder / 'result.h5'}: not the result of a run (it has no group '{group}')")
+                    raise FileTrouble(f"{self.folder / 'result.h5'}: not written by hugoniot, or damaged (the group '{group}' is missing)")
                 raise KeyError(f"no group '{group}' in a run; it has: {', '.join(known)}")
         return self._tables[group]
 
@@ -250,7 +250,7 @@ class Run:
         pairs = {} if self.partial else sides(self.setup["gauges"])
         lost = [whole for side, whole in pairs.items() if side in names and whole not in names]
         if lost:
-            raise FileTrouble(f"{self.folder / 'result.h5'}: not the result of a run (gauges/gauge: has no '{lost[0]}')")
+            raise FileTrouble(f"{self.folder / 'result.h5'}: not written by hugoniot, or damaged (gauges/gauge: '{lost[0]}' is missing)")
         return names
 
     def gauge(self, field: str, name: str | None = None) -> tuple[np.ndarray, np.ndarray]:
@@ -293,7 +293,7 @@ def read_post_mortem(folder) -> dict:
 def _of_a_run(path, summary: dict) -> dict:
     """The summary, or `FileTrouble` where it lacks what that of every run has: it was made by another program."""
     if wrong := wrong_summary(summary):
-        raise FileTrouble(f"{path}: not the summary of a run ({wrong})")
+        raise FileTrouble(f"{path}: not written by hugoniot, or damaged ({wrong})")
     return summary
 
 

@@ -46,7 +46,7 @@ def misfit(value: Any, shape: Any, path: str = "") -> str:
     """Where a value departs from a shape, such as "regions[2].start is missing"; "" where it fits."""
     if isinstance(shape, dict):
         if not isinstance(value, dict):
-            return f"{path or 'it'} is no table"
+            return f"{path or 'the record'} is not a table"
         for key, inner in shape.items():
             if key is ...:
                 found = next((w for k, v in value.items() if (w := misfit(v, inner, _at(path, k)))), "")
@@ -59,12 +59,12 @@ def misfit(value: Any, shape: Any, path: str = "") -> str:
         return ""
     if isinstance(shape, list):
         if not isinstance(value, list):
-            return f"{path} is no list"
+            return f"{path} is not a list"
         return next((w for k, v in enumerate(value) if (w := misfit(v, shape[0], f"{path}[{k}]"))), "")
     kinds = shape if isinstance(shape, tuple) else (shape,)
     if isinstance(value, bool) and not {bool, object} & set(kinds):
-        return f"{path} is of the wrong kind"
-    return "" if isinstance(value, kinds) else f"{path} is of the wrong kind"
+        return f"{path} has a value of the wrong type"
+    return "" if isinstance(value, kinds) else f"{path} has a value of the wrong type"
 
 
 def _at(path: str, key: str) -> str:
@@ -74,7 +74,7 @@ def _at(path: str, key: str) -> str:
 def wrong_setup(document: dict, plane: bool) -> str:
     """What is wrong with the set-up record of a run, of two dimensions where it has a mesh; "" where nothing is."""
     if "axes" in document and not plane:
-        return "axes are given, but there is no mesh"
+        return "the record names axes, but the result has no mesh"
     found = misfit(document, _PLANE if plane else _LINE)
     for name, shape in (("viscosity", _LAW), ("transport", _TRANSPORT)):
         if not found and document.get(name) is not None:
@@ -82,7 +82,7 @@ def wrong_setup(document: dict, plane: bool) -> str:
     if found:
         return found
     if document["geometry"] not in PER_AREA:
-        return f"geometry is none of {', '.join(PER_AREA)}"
+        return f"geometry is not one of {', '.join(PER_AREA)}"
     if not document["regions"]:
         return "regions is empty"
     lost = next((region["material"] for region in document["regions"] if region["material"] not in document["materials"]), None)

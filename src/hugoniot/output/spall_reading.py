@@ -99,10 +99,10 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
         reason = f"the velocity at {record.source} shows no pull-back (a drop of at least 4 % of its peak and a rebound above 2 %)"
         return Reading(reason=reason, record=record)
     if found.rebound_time <= opened:
-        reason = f"the pull-back at {record.source} came before the first void of '{record.region}' opened, so it is not a spall signal"
+        reason = f"the pull-back at {record.source} came before the first void in '{record.region}' opened, so it is not a spall signal"
         return Reading(reason=reason, record=record)
     if (missed := _missed(record, found)) > LARGEST_MISS:
-        reason = (f"the records at {record.source} are too sparse: between two of them the velocity may fall by another {missed:.0%} of "
+        reason = (f"the records at {record.source} are too sparse: between two samples the velocity may fall by another {missed:.0%} of "
                   f"the pull-back, and a reliable reading needs less than {LARGEST_MISS:.0%}; reduce gauge_interval")
         return Reading({"peak_velocity": found.peak}, reason, record=record)
     if reason := _unfit_start(run, record.region) or (_unfit_start(run, record.window) if record.window else ""):
@@ -166,8 +166,8 @@ def _overtaken(record: Record, found: PullBack, body: dict, opened: float, numbe
     if not part > LOST:
         return ""
     if strong:
-        return (f"the acoustic strength is a lower bound: the elastic front eroded up to {part:.0%} of the pull-back, and Kanel's "
-                "correction for that needs a run long enough for the surface to ring")
+        return (f"the acoustic strength is a lower bound: the elastic front eroded up to {part:.0%} of the pull-back; Kanel's "
+                "correction needs a run that lasts until the surface velocity has rung (a later stop_time)")
     return ("the acoustic strength is a lower bound: the pulse falls so steeply that the shock from the spall plane eroded "
             f"at least {part:.0%} of the pull-back")
 

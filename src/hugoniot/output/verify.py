@@ -66,7 +66,7 @@ def _finished(folder: pathlib.Path, summing: str, survey: bool) -> list[Finding]
         return [Finding(summing, UNKNOWN, f"{what}; its files have no checksums")]
     sums, length = summary["sha256"], summary.get("run_log_bytes", 0)
     if not isinstance(sums, dict) or not isinstance(length, int) or any(name != pathlib.Path(name).name for name in sums):
-        return [Finding(summing, CHANGED, "its checksums are not those of the files of a folder")]
+        return [Finding(summing, CHANGED, "its list of checksums names files outside the folder, or is not a list")]
     found = [Finding(summing, SOUND)]
     for name, wanted in sums.items():
         found.append(_file(folder / name, summing, wanted, length if name == "run.log" else None, survey))
@@ -117,7 +117,7 @@ def _unfinished(folder: pathlib.Path) -> list[Finding]:
             same_deck(folder / "deck.toml", kept)
             found.append(Finding("deck.toml", SOUND))
         except FileTrouble:
-            found.append(Finding("deck.toml", CHANGED, "not the deck of the checkpoints; `hugoniot resume` shows the difference"))
+            found.append(Finding("deck.toml", CHANGED, "not the deck of this run; `hugoniot resume` shows the difference"))
     if (folder / "checkpoint" / START).exists():
         found.append(_trying(f"checkpoint/{START}", lambda: checkpoints.manifest(START)))
     series = Series(folder / "pieces")

@@ -59,12 +59,12 @@ def test_the_runs_own_csv_compares_with_the_run(runs):
     ("time [us], velocity [GPa]\n0,1\n", "one kind"),
     ("time [us], velocity [furlong]\n0,1\n", "furlong"),
     ("time [us], velocity [m/s]\n0,abc\n", "'abc' is not a number"),
-    ("time [us], velocity [m/s]\n0,1,2\n", "3 values under 2 headers"),
+    ("time [us], velocity [m/s]\n0,1,2\n", "3 values under 2 column headers"),
     ("time [us], velocity [m/s]\n1,1\n0,1\n", "must increase"),
-    ("time [us], velocity [m/s]\n0,nan\n1,1\n", "must increase and every value be finite"),
-    ("", "needs a line of column headers"), ("time [us], velocity [m/s]\n", "no values below its headers"),
-    ("time [us], colour [1]\n0,1\n1,1\n", "no record in it matches a gauge of .* has: free surface stress"),
-    ("time [s], velocity [m/s]\n5,0\n6,0\n", "no record in it overlaps in time"),
+    ("time [us], velocity [m/s]\n0,nan\n1,1\n", "must increase, and every value must be a finite number"),
+    ("", "needs a line of column headers"), ("time [us], velocity [m/s]\n", "no values below the column headers"),
+    ("time [us], colour [1]\n0,1\n1,1\n", "no record here matches a gauge of .* has: free surface stress"),
+    ("time [s], velocity [m/s]\n5,0\n6,0\n", "no record here overlaps in time"),
 ])
 def test_broken_tables_are_answered_with_the_place(runs, tmp_path, table, words):
     (tmp_path / "d.csv").write_text(table)
