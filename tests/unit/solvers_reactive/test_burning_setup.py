@@ -244,7 +244,7 @@ def test_nothing_is_told_of_products_at_once_and_of_sets_as_they_are(deck):
 
 @pytest.mark.parametrize(("law", "words"), [
     ('law = "pressure_power"\nrate_constant = 1e6\npressure_exponent = 1.0\ndepletion_exponent = 1.0\nreference_pressure = 0.0', "reference_pressure must be positive"),
-    ('law = "forest_fire"\ncoefficients = [1.0]\np_min = 1e9\np_max = 3e10\ntime_scale = 0.0', "units of a forest-fire fit must be positive"),
+    ('law = "forest_fire"\ncoefficients = [1.0]\np_min = 1e9\np_max = 3e10\ntime_scale = 0.0', "pressure_scale and time_scale must be positive"),
 ])
 def test_a_rate_of_no_unit_is_refused(law, words):
     deck = f'[material.x]\nbase = "LX-17 reactive"\n[material.x.burn]\n{law}'

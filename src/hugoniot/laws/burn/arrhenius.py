@@ -39,7 +39,7 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
 
 def build(*values, **named) -> Arrhenius:
     """Parameters; OutOfRange for a negative one."""
-    return without_negatives("Arrhenius", Arrhenius(*values, **named))
+    return without_negatives(Arrhenius(*values, **named))
 
 
 BURN.add(

@@ -8,6 +8,7 @@ For m < 1 burning ends after the time $(1-\lambda_0)^{1-m}/((1-m)k)$, exactly at
 
 from hugoniot.core.ops import vexp, vpow
 from hugoniot.errors import OutOfRange
+from hugoniot.laws.burn.contract import BURN
 
 
 def power(x, y):
@@ -41,9 +42,15 @@ def deplete(burn_fraction, amount, exponent):
     return 1.0 - left * vpow(base, 1.0 / (1.0 - exponent))
 
 
-def without_negatives(name, par):
+def with_unit(par, key: str) -> str:
+    """A parameter of a registered burn law as messages show it, with its unit."""
+    unit = BURN.of(par).units[key]
+    return f"{getattr(par, key):.6g}" + (f" {unit}" if unit != "1" else "")
+
+
+def without_negatives(par):
     """The parameters as they are; OutOfRange for a negative or missing one, with which burning would run backwards or without end."""
     for key, value in par._asdict().items():
         if not value >= 0.0:
-            raise OutOfRange(f"{name}: {key} must not be negative; got {value:.6g}")
+            raise OutOfRange(f"{BURN.of(par).name}: {key} must not be negative, got {with_unit(par, key)}")
     return par

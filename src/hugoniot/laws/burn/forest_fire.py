@@ -89,11 +89,11 @@ def forest_fire(coefficients, p_min, p_max, pressure_scale=1.0e11, time_scale=1.
     pressure range or a unit that is not positive."""
     values = tuple(float(a) for a in coefficients)
     if not 0 < len(values) <= TERMS:
-        raise OutOfRange(f"a forest-fire polynomial has 1 to {TERMS} coefficients; got {len(values)}")
+        raise OutOfRange(f"forest_fire: coefficients must have 1 to {TERMS} values, got {len(values)}")
     if not 0.0 <= p_min < p_max:
-        raise OutOfRange(f"a forest-fire fit needs 0 <= p_min < p_max; got {p_min:.6g} and {p_max:.6g} Pa")
+        raise OutOfRange(f"forest_fire: needs 0 <= p_min < p_max, got {p_min:.6g} and {p_max:.6g} Pa")
     if not (pressure_scale > 0.0 and time_scale > 0.0):
-        raise OutOfRange(f"the units of a forest-fire fit must be positive; got pressure_scale = {pressure_scale:.6g} Pa and time_scale = "
+        raise OutOfRange(f"forest_fire: pressure_scale and time_scale must be positive, got {pressure_scale:.6g} Pa and "
                          f"{time_scale:.6g} s")
     return ForestFire(values + (0.0,) * (TERMS - len(values)), float(p_min), float(p_max), float(pressure_scale), float(time_scale))
 
@@ -102,11 +102,11 @@ def rate_table(pressures, rates) -> RateTable:
     """Parameters from pressures (Pa, rising, positive) and rates (1/s, positive); OutOfRange with the first entry that is not so."""
     p, r = np.asarray(pressures, float), np.asarray(rates, float)
     if p.ndim != 1 or p.shape != r.shape or p.size < 2:
-        raise OutOfRange(f"a rate table needs two columns of equal length, at least 2 rows; got {p.shape} and {r.shape}")
+        raise OutOfRange(f"rate_table: pressures and rates must have the same number of values, at least 2, got {p.size} and {r.size}")
     for k in range(p.size):
         if not (p[k] > 0.0 and r[k] > 0.0 and (k == 0 or p[k] > p[k - 1])):
-            raise OutOfRange(f"rate table, row {k + 1}: pressures must be positive and rise, rates positive; got {p[k]:.6g} Pa and "
-                             f"{r[k]:.6g} 1/s")
+            raise OutOfRange(f"rate_table, row {k + 1}: pressures must be positive and increase, and rates must be positive, got "
+                             f"{p[k]:.6g} Pa and {r[k]:.6g} 1/s")
     return RateTable(tuple(np.log(p).tolist()), tuple(np.log(r).tolist()))
 
 

@@ -21,7 +21,7 @@ from typing import NamedTuple
 from hugoniot.core.ops import fmax, fmin, vexp, vlog, vpow
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.contract import BURN, no_schedule
-from hugoniot.laws.burn.depletion import deplete, power
+from hugoniot.laws.burn.depletion import deplete, power, with_unit
 
 TOLERANCE = 3e-6     # of a sub-step, relative to the burn fraction
 LEAST = 1e-4         # burn fraction below which it is absolute: a power of lambda below 1 has no slope at 0, and noise at rest no meaning
@@ -182,11 +182,11 @@ def ignition_growth(rho0, i, b, a, x, g1, c, d, y, **others) -> IgnitionGrowth:
     par = IgnitionGrowth(rho0, i, b, a, x, g1, c, d, y, **others)
     for name, value in par._asdict().items():
         if name != "a" and not value >= 0.0:
-            raise OutOfRange(f"ignition and growth: {name} must not be negative; got {value:.6g}")
+            raise OutOfRange(f"ignition_growth: {name} must not be negative, got {with_unit(par, name)}")
         if name.endswith("_limit") and value > 1.0:
-            raise OutOfRange(f"ignition and growth: {name} is a burn fraction, 0..1; got {value:.6g}")
+            raise OutOfRange(f"ignition_growth: {name} is a burn fraction and must lie between 0 and 1, got {value:.6g}")
     if not par.rho0 > 0.0:
-        raise OutOfRange("ignition and growth: rho0 must be positive")
+        raise OutOfRange("ignition_growth: rho0 must be positive, got 0 kg/m^3")
     return par
 
 

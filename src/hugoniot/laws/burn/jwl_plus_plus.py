@@ -30,7 +30,7 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
 
 def build(*values, **named) -> JWLPlusPlus:
     """Parameters; OutOfRange for a negative one."""
-    return without_negatives("JWL++", JWLPlusPlus(*values, **named))
+    return without_negatives(JWLPlusPlus(*values, **named))
 
 
 BURN.add(

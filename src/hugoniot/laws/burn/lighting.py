@@ -21,7 +21,7 @@ def lighting_times(edges, detonators, detonation_velocity: float) -> np.ndarray:
     """
     edges = np.asarray(edges, float)
     if not detonation_velocity > 0.0:
-        raise OutOfRange(f"the detonation velocity must be positive; got {detonation_velocity:.6g} m/s")
+        raise OutOfRange(f"the detonation velocity must be positive, got {detonation_velocity:.6g} m/s")
     if len(detonators) == 0:
         raise OutOfRange("a programmed burn needs a lighting point: give at least one (position, time)")
     low, high = edges[:-1], edges[1:]
@@ -47,7 +47,7 @@ def distance_to_segment(points, start, end) -> np.ndarray:
 def lighting_times_of_points(points, detonators, detonation_velocity: float) -> np.ndarray:
     """Lighting time at points (..., d) from segments (start, end, time), each end of shape (d,), s; a point detonator has start = end."""
     if not detonation_velocity > 0.0:
-        raise OutOfRange(f"the detonation velocity must be positive; got {detonation_velocity:.6g} m/s")
+        raise OutOfRange(f"the detonation velocity must be positive, got {detonation_velocity:.6g} m/s")
     if len(detonators) == 0:
         raise OutOfRange("a programmed burn needs a lighting point or line: give at least one")
     return np.min([time + distance_to_segment(points, start, end) / detonation_velocity for start, end, time in detonators], axis=0)

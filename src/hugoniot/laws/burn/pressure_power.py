@@ -41,9 +41,9 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
 
 def build(*values, **named) -> PressurePower:
     """Parameters; OutOfRange for a negative one, or a reference pressure of 0."""
-    par = without_negatives("pressure power", PressurePower(*values, **named))
+    par = without_negatives(PressurePower(*values, **named))
     if not par.reference_pressure > 0.0:
-        raise OutOfRange("pressure power: reference_pressure must be positive, because the rate constant is the rate at that pressure; "
+        raise OutOfRange("pressure_power: reference_pressure must be positive, because rate_constant is the rate at that pressure, "
                          "got 0 Pa")
     return par
 

@@ -18,6 +18,7 @@ from typing import NamedTuple
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.contract import BURN, no_advance, no_rate
+from hugoniot.laws.burn.depletion import with_unit
 
 
 class Programmed(NamedTuple):
@@ -62,9 +63,9 @@ def checked(par):
     fields = par._asdict()
     for name in ("detonation_velocity", "spread_zones", "rho0"):
         if name in fields and not fields[name] > 0.0:
-            raise OutOfRange(f"programmed burn: {name} must be positive; got {fields[name]:.6g}")
+            raise OutOfRange(f"{BURN.of(par).name}: {name} must be positive, got {with_unit(par, name)}")
     if "rho_cj" in fields and not par.rho_cj > par.rho0:
-        raise OutOfRange(f"programmed burn: rho_cj must exceed rho0; got {par.rho_cj:.6g} and {par.rho0:.6g} kg/m^3")
+        raise OutOfRange(f"{BURN.of(par).name}: rho_cj must exceed rho0, got rho_cj = {par.rho_cj:.6g} and rho0 = {par.rho0:.6g} kg/m^3")
     return par
 
 

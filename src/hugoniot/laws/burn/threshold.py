@@ -38,7 +38,7 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
 
 def build(*values, **named) -> Threshold:
     """Parameters; OutOfRange for a negative one."""
-    return without_negatives("threshold burn", Threshold(*values, **named))
+    return without_negatives(Threshold(*values, **named))
 
 
 BURN.add(

@@ -243,7 +243,8 @@ def check_state(rho, e, par, c2_floor: float = 0.0) -> None:
     if "energy_limits" in EOS.of(par).functions:
         cold, hot = EOS.of(par).functions["energy_limits"](rho, par)
         if not cold <= e <= hot:
-            raise OutOfRange(f"{name}: energy {e:.6g} J/kg is outside {cold:.6g} to {hot:.6g}, the range of the law at {rho:.6g} kg/m3")
+            raise OutOfRange(f"{name}: energy {e:.6g} J/kg is outside {cold:.6g} to {hot:.6g} J/kg, the range of the law at "
+                             f"{rho:.6g} kg/m3")
     p, c2 = pressure(rho, e, par), sound_speed_squared(rho, e, par)
     if not (math.isfinite(p) and math.isfinite(c2)):
         raise OutOfRange(f"{name}: no finite pressure at rho = {rho:.6g} kg/m3, e = {e:.6g} J/kg")
@@ -256,7 +257,7 @@ def _stability_edge(rho, e, par, c2_floor) -> str:
     """Where the law becomes stable at this energy, between an unstable density and the reference density, as the end of a message."""
     unstable, stable = rho, reference_state(par)[0]
     if not sound_speed_squared(stable, e, par) > c2_floor:
-        return f"; so is its reference density {stable:.6g} kg/m3 at this energy"
+        return f"; at this energy its reference density {stable:.6g} kg/m3 is unstable too"
     for _ in range(60):
         middle = 0.5 * (unstable + stable)
         if sound_speed_squared(middle, e, par) > c2_floor:

@@ -73,7 +73,7 @@ def cold_coefficients(c0, s, gamma0, e00, order):
 def build(rho0, c0, s, gamma0, cold_energy=0.0, specific_heat=math.nan):
     """Parameters from a deck."""
     if gamma0 > 8.0 * s:
-        raise OutOfRange(f"mie_gruneisen_cold: the closed form of the cold curve loses its digits to cancellation for gamma0 > 8 s "
+        raise OutOfRange(f"mie_gruneisen_cold: the closed form of the cold curve loses its precision by cancellation for gamma0 > 8 s "
                          f"(gamma0 = {gamma0}, s = {s}); use mie_gruneisen, which has the same pressures")
     return MieGruneisenCold(rho0, c0, s, gamma0, cold_energy, specific_heat)
 

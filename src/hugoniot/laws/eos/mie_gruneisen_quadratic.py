@@ -73,7 +73,8 @@ def density_limits(par):
 def build(rho0, c0, s1, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math.nan, **given):
     """Parameters from a deck: the Grüneisen parameter by `gamma_form` as in mie_gruneisen."""
     if not (rho0 > 0.0 and c0 > 0.0 and s1 >= 0.0 and gamma0 > 0.0):
-        raise OutOfRange(f"mie_gruneisen_quadratic: needs rho0, c0, gamma0 > 0 and s1 >= 0, got {rho0}, {c0}, {gamma0}, {s1}")
+        raise OutOfRange(f"mie_gruneisen_quadratic: needs rho0, c0, gamma0 > 0 and s1 >= 0, got rho0 = {rho0:g} kg/m3, "
+                         f"c0 = {c0:g} m/s, gamma0 = {gamma0:g}, s1 = {s1:g}")
     return with_gamma_form(MieGruneisenQuadratic)(gamma_form, gamma_slope, rho0=rho0, c0=c0, s1=s1, gamma0=gamma0, **given)
 
 

@@ -159,7 +159,8 @@ def build(base, alpha0, elastic_pressure, compaction_pressure):
     if not alpha0 > 1.0:
         raise OutOfRange(f"p_alpha: alpha0, the solid's density over the porous one, must exceed 1, got {alpha0}")
     if not 0.0 <= elastic_pressure < compaction_pressure:
-        raise OutOfRange(f"p_alpha: needs 0 <= elastic_pressure < compaction_pressure, got {elastic_pressure} and {compaction_pressure} Pa")
+        raise OutOfRange(f"p_alpha: needs 0 <= elastic_pressure < compaction_pressure, got {elastic_pressure:g} and "
+                         f"{compaction_pressure:g} Pa")
     return PAlpha(base, alpha0, elastic_pressure, compaction_pressure)
 
 

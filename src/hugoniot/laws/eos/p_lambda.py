@@ -227,9 +227,10 @@ def build(base, rho_porous, matrix_modulus, crush_strength, exponent=1.0):
     """Parameters from a deck."""
     solid = base_reference_state(base)[0]
     if not 0.0 < rho_porous < solid:
-        raise OutOfRange(f"p_lambda: rho_porous must lie between 0 and the solid's {solid:.6g} kg/m3, got {rho_porous}")
+        raise OutOfRange(f"p_lambda: rho_porous must lie between 0 and the solid's {solid:.6g} kg/m3, got {rho_porous:g} kg/m3")
     if not (matrix_modulus > 0.0 and crush_strength > 0.0 and exponent >= 1.0):
-        raise OutOfRange("p_lambda: needs matrix_modulus > 0, crush_strength > 0 and exponent >= 1")
+        raise OutOfRange(f"p_lambda: needs matrix_modulus > 0, crush_strength > 0 and exponent >= 1, got matrix_modulus = "
+                         f"{matrix_modulus:g} Pa, crush_strength = {crush_strength:g} Pa, exponent = {exponent:g}")
     return PLambda(base, rho_porous, matrix_modulus, crush_strength, exponent)
 
 

@@ -41,7 +41,7 @@ def density_limits(par):
 def build(rho0, p0, gamma):
     """Parameters from a deck; OutOfRange unless all are positive."""
     if not (rho0 > 0.0 and p0 > 0.0 and gamma > 0.0):
-        raise OutOfRange(f"power_law: needs rho0 > 0, p0 > 0 and gamma > 0, got {rho0:g}, {p0:g}, {gamma:g}")
+        raise OutOfRange(f"power_law: needs rho0 > 0, p0 > 0 and gamma > 0, got rho0 = {rho0:g} kg/m3, p0 = {p0:g} Pa, gamma = {gamma:g}")
     return PowerLaw(rho0, p0, gamma)
 
 

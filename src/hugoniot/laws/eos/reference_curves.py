@@ -32,9 +32,10 @@ def gamma_slope_of(form, gamma0, slope=math.nan):
         return gamma0
     if form == "linear":
         if not math.isfinite(slope):
-            raise OutOfRange("mie_gruneisen: gamma_form 'linear' needs gamma_slope: Gamma = (gamma0 + gamma_slope mu)/(1 + mu)")
+            raise OutOfRange("gamma_form = 'linear' needs gamma_slope, the constant b of Gamma = (gamma0 + b mu)/(1 + mu) with mu = "
+                             "rho/rho0 - 1")
         return slope
-    raise OutOfRange(f"mie_gruneisen: unknown gamma_form '{form}'; known: rho_gamma_constant, constant, linear")
+    raise OutOfRange(f"unknown gamma_form '{form}'; known: rho_gamma_constant, constant, linear")
 
 
 GAMMA_UNITS = {"gamma0": "1", "gamma_slope": "1", "specific_heat": "J/kg/K", "reference_temperature": "K", "gamma_form": "text"}

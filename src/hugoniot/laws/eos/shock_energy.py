@@ -56,7 +56,7 @@ def density_limits(par):
 def build(rho0, c0, s, s2=0.0):
     """Parameters from a deck; OutOfRange unless rho0 and c0 are positive and s is not negative."""
     if not (rho0 > 0.0 and c0 > 0.0 and s >= 0.0):
-        raise OutOfRange(f"shock_energy: needs rho0 > 0, c0 > 0 and s >= 0, got {rho0:g}, {c0:g}, {s:g}")
+        raise OutOfRange(f"shock_energy: needs rho0 > 0, c0 > 0 and s >= 0, got rho0 = {rho0:g} kg/m3, c0 = {c0:g} m/s, s = {s:g}")
     return ShockEnergy(rho0, c0, s, s2)
 
 

@@ -120,10 +120,10 @@ def build(base, rho_porous, crush_pressure):
     """Parameters from a deck."""
     solid = base_reference_state(base)[0]
     if not 0.0 < rho_porous < solid:
-        raise OutOfRange(f"snow_plough: rho_porous must lie between 0 and the solid's {solid:.6g} kg/m3, got {rho_porous}")
+        raise OutOfRange(f"snow_plough: rho_porous must lie between 0 and the solid's {solid:.6g} kg/m3, got {rho_porous:g} kg/m3")
     if not crush_pressure > 0.0:
         raise OutOfRange("snow_plough: crush_pressure must be positive (a small value lets pores close almost freely), got "
-                         f"{crush_pressure}")
+                         f"{crush_pressure:g} Pa")
     stiffness = float(base_sound_speed_squared(*base_reference_state(base), base))
     if not crush_pressure < 0.5 * stiffness * (solid - rho_porous):
         raise OutOfRange(f"snow_plough: crush_pressure {crush_pressure:.4g} Pa makes the pores stiffer than the solid; stay well below "

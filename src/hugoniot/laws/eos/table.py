@@ -141,17 +141,17 @@ def build(density, temperatures, pressure_table, energy_table, rho0=math.nan, re
     p, e = _filled("pressure", pressure_table, rho, t), _filled("energy", energy_table, rho, t)
     _check_energy(e, rho, t)
     if not 0.0 <= least_sound_speed < math.inf:
-        raise OutOfRange(f"table: the least sound speed cannot be {least_sound_speed:g} m/s")
+        raise OutOfRange(f"table: least_sound_speed must be finite and not negative, got {least_sound_speed:g} m/s")
     table = Table(rho, t, p, e, math.nan, math.nan, float(least_sound_speed))
     if bad := [] if least_sound_speed else unstable_corners(table):
         i, j = bad[0]
-        raise UnsoundTable(f"table: c^2 <= 0 at density {rho[i]:.6g} kg/m3, temperature {t[j]:.6g} K "
-                           f"({len(bad)} such corners); smooth the table, cut the grid there, or give least_sound_speed",
+        raise UnsoundTable(f"table: the squared sound speed is not positive at density {rho[i]:.6g} kg/m3, temperature {t[j]:.6g} K "
+                           f"({len(bad)} such grid points); smooth the table, cut the grid there, or give least_sound_speed",
                            (i, j))
     if not math.isfinite(rho0):
         rho0 = _rest_density(table, reference_temperature)
     if not rho[0] <= rho0 <= rho[-1]:
-        raise OutOfRange(f"table: the reference density {rho0:.6g} kg/m3 is outside the grid ({rho[0]:.6g} to {rho[-1]:.6g})")
+        raise OutOfRange(f"table: rho0 = {rho0:.6g} kg/m3 is outside the densities of the grid, {rho[0]:.6g} to {rho[-1]:.6g} kg/m3")
     return table._replace(rho0=float(rho0), e0=float(state_at(rho0, reference_temperature, table)[1]))
 
 
@@ -179,7 +179,7 @@ def _filled(name, values, rho, t):
     if holes.size:
         i, j = holes[0]
         raise UnsoundTable(f"table: a hole in {name} at density {rho[i]:.6g} kg/m3, temperature {t[j]:.6g} K "
-                           f"({len(holes)} in all); fill it or cut the grid there", (i, j))
+                           f"({len(holes)} in all); fill it, or cut the grid there", (i, j))
     return table
 
 

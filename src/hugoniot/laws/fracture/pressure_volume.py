@@ -39,7 +39,7 @@ def build(pressure_limit, volume_limit=1.0):
     if not pressure_limit < 0.0:
         raise OutOfRange(f"pressure_limit = {pressure_limit:g} Pa must be negative (a tension)")
     if not volume_limit > 0.0:
-        raise OutOfRange(f"volume_limit = {volume_limit:g} must be positive; 1 is the volume at rest")
+        raise OutOfRange(f"volume_limit = {volume_limit:g} must be positive; 1 is the volume at the reference density")
     return PressureVolume(pressure_limit, volume_limit)
 
 

@@ -53,7 +53,7 @@ def build(**values):
     par = StressGradient(**values)
     for name, value in zip(par._fields, par):
         if not value > 0.0:
-            raise OutOfRange(f"{name} = {value:g} must be positive")
+            raise OutOfRange(f"{name} must be positive, got {value:g} {FRACTURE.of(par).units[name]}")
     return par
 
 

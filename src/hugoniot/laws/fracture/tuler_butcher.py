@@ -45,7 +45,8 @@ def build(**values):
     par = TulerButcher(**values)
     for name in ("exponent", "reference_stress", "critical_time"):
         if not getattr(par, name) > 0.0:
-            raise OutOfRange(f"{name} = {getattr(par, name):g} must be positive")
+            unit = FRACTURE.of(par).units[name].replace("1", "")
+            raise OutOfRange(f"{name} must be positive, got {getattr(par, name):g} {unit}".rstrip())
     return par
 
 

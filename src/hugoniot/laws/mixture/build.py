@@ -25,7 +25,7 @@ def require_temperature(asker: str, role: str, par) -> None:
     if {"temperature", "specific_heat"} <= set(law.functions):
         heat = float(eos.specific_heat(*eos.reference_state(par), par))
     if not (heat > 0.0 and math.isfinite(heat)):
-        raise OutOfRange(f"{asker} needs the temperature of the {role}, which law '{law.name}' does not give here: state its "
+        raise OutOfRange(f"{asker} needs the temperature of the {role}, which law '{law.name}' does not give here: give its "
                          "specific_heat, or choose a law that has one")
 
 

@@ -50,7 +50,8 @@ def chapman_jouguet(ahead: State, par, direction: int) -> Front:
     while high < limit and not subsonic(high):
         low, high = high, 1.01 * high
     if high >= limit or subsonic(low):
-        raise NoSolution(f"the products '{EOS.of(par).name}' drive no detonation from {ahead.rho:.6g} kg/m3 and {ahead.e:.6g} J/kg")
+        raise NoSolution(f"the products '{EOS.of(par).name}' drive no detonation from {ahead.rho:.6g} kg/m3 and {ahead.e:.6g} J/kg; "
+                         "give products that release energy there")
     for _ in range(200):
         middle = 0.5 * (low + high)
         if not low < middle < high:

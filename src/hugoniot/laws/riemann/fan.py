@@ -25,7 +25,7 @@ from hugoniot.laws.riemann.medium import Frozen, limits_of, name_of
 LARGEST, SMALLEST = 0.4, 1e-4    # steps in ln(rho)
 TOLERANCE = 1e-14
 NOTHING_LEFT = 1e-60             # density over the one ahead at which an expansion counts as complete
-SPRAY = ("law '{}' is stretched to the largest tension it supports, {:.6g} Pa: no wave runs there, and a surface would open inside "
+SPRAY = ("law '{}' is stretched to the largest tension it supports, {:.6g} Pa: no wave can travel there, and a surface would open inside "
          "the body (use lagrange1d, or a law that supports more tension)")
 
 
@@ -153,7 +153,8 @@ class Fan:
         """The node, between `base` and the density of ln `low`, at which a value leaps across the target (slopes of a table leap)."""
         high = base[0]
         if not value(self._step(base, low - high) if low < high else base) <= target < value(base):
-            raise NoSolution(f"the search along the fan of '{name_of(self.branch.par)}' for the value {target:.6g} did not converge")
+            raise NoSolution(f"the search in the rarefaction of law '{name_of(self.branch.par)}' for the value {target:.6g} did not "
+                             "converge")
         while high - low > 1e-15 * max(1.0, abs(low)):
             middle = 0.5 * (low + high)
             low, high = (middle, high) if value(self._step(base, middle - base[0])) <= target else (low, middle)

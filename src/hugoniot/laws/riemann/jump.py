@@ -85,7 +85,7 @@ def _newton(x, sigma, ahead: State, branch: Branch, ends) -> float:
         best, last, x = (new, moved, new)
     if last <= 1e-9 * abs(x):
         return x
-    raise NoSolution(f"no jump of '{name_of(branch.par)}' from {ahead.sigma:.6g} Pa reaches {sigma:.6g} Pa")
+    raise NoSolution(f"no shock of law '{name_of(branch.par)}' from {ahead.sigma:.6g} Pa reaches {sigma:.6g} Pa")
 
 
 def behind(sigma: float, ahead: State, branch: Branch, direction: int, deviator: float | None = None,

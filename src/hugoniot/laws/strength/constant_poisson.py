@@ -33,7 +33,7 @@ def flow_stress(rho, p, temperature, plastic_strain, strain_rate, par):
 def build(poisson_ratio, yield_stress):
     """Parameters; a Poisson ratio outside (-1, 1/2] is no isotropic solid."""
     if not -1.0 < poisson_ratio <= 0.5:
-        raise OutOfRange(f"poisson_ratio = {poisson_ratio:g} is outside (-1, 0.5]; metals lie between 0.25 and 0.45")
+        raise OutOfRange(f"poisson_ratio = {poisson_ratio:g} must lie between -1 and 0.5; metals lie between 0.25 and 0.45")
     return ConstantPoisson(poisson_ratio, yield_stress)
 
 

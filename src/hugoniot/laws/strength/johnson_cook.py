@@ -55,7 +55,7 @@ def build(**values):
     if par.melt_temperature <= par.room_temperature:
         raise OutOfRange(f"melt_temperature = {par.melt_temperature:g} K must be above room_temperature = {par.room_temperature:g} K")
     if par.reference_rate <= 0.0:
-        raise OutOfRange(f"reference_rate = {par.reference_rate:g} 1/s must be positive; Johnson and Cook use 1 /s")
+        raise OutOfRange(f"reference_rate = {par.reference_rate:g} 1/s must be positive; Johnson and Cook used 1 per second")
     return par
 
 

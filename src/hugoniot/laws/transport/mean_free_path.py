@@ -47,7 +47,8 @@ def mean_free_path(definition: str, mu: float, rho: float, p: float, exponent: f
         hint = f"did you mean '{near[0]}'?" if near else f"known: {', '.join(MEAN_FREE_PATHS)}"
         raise OutOfRange(f"unknown mean free path '{definition}'; {hint}")
     if not p > 0.0:
-        raise OutOfRange(f"a mean free path needs a gas: the pressure ahead is {p:g} Pa; give the length itself, in m, instead of a name")
+        raise OutOfRange(f"a mean free path needs a gas: the pressure ahead is {p:g} Pa; give the mean free path itself, in m, instead "
+                         "of a name")
     thermal = math.sqrt(p / rho)
     if definition == "bsl":
         return 3.0 * mu / (rho * thermal * math.sqrt(8.0 / math.pi))

@@ -138,7 +138,7 @@ def test_forest_fire_polynomial_and_table_agree_on_a_power_law():
 
 
 @pytest.mark.parametrize("pressures, rates, word", (
-    ((1e9, 2e9, 1.5e9), (1.0, 2.0, 3.0), "row 3"), ((1e9, 2e9), (1.0, -2.0), "row 2"), ((1e9,), (1.0,), "two columns"),
+    ((1e9, 2e9, 1.5e9), (1.0, 2.0, 3.0), "row 3"), ((1e9, 2e9), (1.0, -2.0), "row 2"), ((1e9,), (1.0,), "same number of values"),
     ((1e9, float("nan")), (1.0, 2.0), "row 2")))
 def test_bad_rate_tables_are_refused_with_the_row(pressures, rates, word):
     with pytest.raises(OutOfRange, match=word):
