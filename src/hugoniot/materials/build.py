@@ -176,18 +176,19 @@ def _check_sound(built: dict, collector: Collector, path: tuple) -> None:
     try:
         _check_rest(par, built, collector, path)
     except ArithmeticError:
-        collector.add((*path, "eos"), "these parameters give no state at rest",
+        collector.add((*path, "eos"), "these parameters give no reference state",
                       "check their units: a value is outside the range of double precision")
 
 
 def _check_rest(par: Any, built: dict, collector: Collector, path: tuple) -> None:
     rho, e = reference_state(par)
     if not (math.isfinite(rho) and rho > 0.0):
-        collector.add((*path, "eos"), f"the density at rest must be positive, got {rho:g} kg/m^3")
+        collector.add((*path, "eos"), f"the reference density must be positive, got {rho:g} kg/m^3")
         return
     p, c2 = pressure(rho, e, par), sound_speed_squared(rho, e, par)
     if not (math.isfinite(p) and math.isfinite(c2) and c2 > 0.0):
-        message = f"no real sound speed at rest: at {rho:g} kg/m^3 the squared sound speed is {c2:g} m^2/s^2 and the pressure {p:g} Pa"
+        message = (f"no real sound speed in the reference state: at {rho:g} kg/m^3 the squared sound speed is {c2:g} m^2/s^2 and the "
+                   f"pressure {p:g} Pa")
         collector.add((*path, "eos"), message, "check the signs and units of the parameters")
         return
     if built["strength"] is not None:
@@ -200,9 +201,9 @@ def _check_rest(par: Any, built: dict, collector: Collector, path: tuple) -> Non
         for what, value in (("shear modulus", shear_modulus(rho, p, warm, rho * c2, built["strength"])),
                             ("flow stress", flow_stress(rho, p, warm, 0.0, 0.0, built["strength"]))):
             if not (math.isfinite(value) and value >= 0.0):
-                collector.add((*path, "strength"), f"the {what} at rest must not be negative, got {value:g} Pa")
+                collector.add((*path, "strength"), f"the {what} in the reference state must not be negative, got {value:g} Pa")
     if built.get("burn") is not None and asked_at_nodes(built["fracture"]):
-        collector.add((*path, "fracture"), "is evaluated at nodes, where no burn fraction is defined",
+        collector.add((*path, "fracture"), "this law is evaluated at nodes, where no burn fraction is defined",
                       'use "pressure_volume" or "spall_stress" for an explosive')
     if built["fracture"] is not None and not tension_cap(0.0, built["fracture"]) > 0.0:
         collector.add((*path, "fracture"), f"the strength in tension must be positive, got {tension_cap(0.0, built['fracture']):g} Pa")

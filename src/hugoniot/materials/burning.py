@@ -70,8 +70,7 @@ def reactive(material: Material) -> Reactive:
     mixture = build.mixture(kind, material.unreacted, material.eos, material.detonation_energy, build.IN_A_RUN)
     if not mixture.detonation_energy > 0.0:
         raise OutOfRange(f"{here}: burning would release {mixture.detonation_energy:.6g} J/kg, which is not positive; give "
-                         "detonation_energy, or "
-                         "products with their E0")
+                         "detonation_energy, or products with their E0")
     if "temperature_driven" in law.flags:
         for role, par in (("unreacted explosive", material.unreacted), ("products", material.eos)):
             if not has_temperature(par):

@@ -183,7 +183,8 @@ class _Reader:
         found = {k: v if k == "law" else self.inner(f"{place}.{k}", v) if isinstance(v, dict) and "row" in v
                  else self.value(f"{place}.{k}", v, units.get(k, "1")) for k, v in merged.items()}
         if tabulated and "heat_capacity" not in schema.row(tabulated.split(".")[0]):
-            self.collector.add(("material", self.name, *place.split("."), "specific_heat"), f"the library has no value '{tabulated}'")
+            self.collector.add(("material", self.name, *place.split("."), "specific_heat"), f"the library has no value '{tabulated}'",
+                               f"hugoniot material show {tabulated.split('.')[0]} lists the values of the row")
         elif tabulated:
             row = schema.row(tabulated.split(".")[0])
             self.use(row)
@@ -225,10 +226,11 @@ class _Reader:
             try:
                 found = schema.cell(value)
             except KeyError:
-                self.collector.add(path, f"the library has no value '{value}'")
+                self.collector.add(path, f"the library has no value '{value}'",
+                                   f"hugoniot material show {value.split('.')[0]} lists the values of the row")
                 return value
             if found is not None and found.unit != unit:
-                self.collector.add(path, f"the value '{value}' is in {found.unit}, not in {unit}")
+                self.collector.add(path, f"the library's value '{value}' is in {found.unit}, not in {unit}")
                 return value
             if found is not None:
                 self.use(schema.row(value.split(".")[0]))

@@ -26,7 +26,7 @@ def unlikely(name: str, material: Material) -> list[str]:
             if not isinstance(value, float) or not value > 0.0 or key not in LIMITS or least <= value <= largest:
                 continue
             doubt = f"A bare number is SI; write \"{value:g} {better}\" if that is what you mean" if value < least and better else \
-                f"No known material comes near this: is {'the unit' if unit else 'it'} right?"
+                f"No known material comes near this: is {'the unit' if unit else 'the value'} right?"
             found.append(f"material '{name}': {key} = {' '.join((f'{value:g}', unit)).strip()} for a solid or liquid? {doubt}")
     return found
 
@@ -40,5 +40,5 @@ def _softening(name: str, par) -> list[str]:
         density = rho * (1.0 + (COMPRESSED - 1.0) * k / 20.0)
         if density < density_limits(par)[1] and sound_speed_squared(density, e, par) < 0.0:
             return [f"material '{name}': the law has no real sound speed above {density:.6g} kg/m3, {100.0 * (density / rho - 1.0):.2g} % "
-                    "above its density at rest: its pressure falls there with compression; check signs and powers of its coefficients"]
+                    "above its reference density: its pressure falls with compression there; check signs and powers of the coefficients"]
     return []

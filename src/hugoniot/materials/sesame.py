@@ -142,11 +142,11 @@ def curve(found: list[Record], number: int, material: int | None = None, name: s
     n = _count(words, 0, record, name)
     if number == 401:
         if len(words) < 1 + 6 * n:
-            raise _short(record, name, f"{n} temperatures need {1 + 6 * n} words", words)
+            raise _short(record, name, f"{n} temperatures need {1 + 6 * n} numbers", words)
         p, t, *rest = np.array(words[1:1 + 6 * n]).reshape(6, n)
         return Curve(number, record.line, t, p * UNITS[2], np.array(rest[:2]) * UNITS[0], np.array(rest[2:]) * UNITS[3])
     if len(words) < 3 + 4 * n:
-        raise _short(record, name, f"{n} densities need {3 + 4 * n} words", words)
+        raise _short(record, name, f"{n} densities need {3 + 4 * n} numbers", words)
     t, p, e = np.array(words[3 + n:3 + 4 * n]).reshape(3, n)
     return Curve(number, record.line, t, p * UNITS[2], np.array(words[2:2 + n]) * UNITS[0], e * UNITS[3])
 
@@ -210,10 +210,10 @@ def _grid(record: Record, name: str, units) -> Grid:
     m = _count(words, 1, record, name)
     needed = 2 + n + m + 2 * n * m
     if len(words) < needed:
-        raise _short(record, name, f"{n} densities x {m} temperatures need {needed} words", words)
+        raise _short(record, name, f"{n} densities x {m} temperatures need {needed} numbers", words)
     if len(words) >= needed + 2 * n * m:
         raise DeckError.single(name, record.line, str(record.number), "has four values or more at each point instead of pressure, energy "
-                               "and free energy: such an ANEOS file also holds entropies and sound speeds", "give NEW-SESAME-STD.TXT")
+                               "and free energy: this ANEOS file also contains entropies and sound speeds", "give NEW-SESAME-STD.TXT")
     arrays = [np.array(words[k:k + n * m]).reshape(m, n).T for k in range(2 + n + m, len(words) - n * m + 1, n * m)]
     free = arrays[2] * units[3] if len(arrays) > 2 else None
     return Grid(record.number, record.line, np.array(words[2:2 + n]) * units[0], np.array(words[2 + n:2 + n + m]) * units[1],
@@ -230,7 +230,7 @@ def _count(words: list[float], place: int, record: Record, name: str) -> int:
 
 
 def _short(record: Record, name: str, needs: str, words: list[float]) -> DeckError:
-    return DeckError.single(name, record.line, str(record.number), f"{needs}, it has {len(words)}",
+    return DeckError.single(name, record.line, str(record.number), f"{needs}, but the table has {len(words)}",
                             "the file is truncated or contains no energies")
 
 

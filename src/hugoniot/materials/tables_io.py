@@ -184,6 +184,6 @@ def read_301(text: str, name: str = "sesame.txt", *, units=sesame.UNITS, **wante
 def _sesame(text: str, name: str, window: Window, units=sesame.UNITS) -> tuple[Table, tuple[str, ...]]:
     found = sesame.grid(sesame.records(text, name), window.table, window.material, name, units)
     if found.temperature.size < 2:
-        raise DeckError.single(name, found.line, str(window.table), "a cold curve has one temperature, and the law needs two or more",
-                               "hugoniot eos sesame shows it; leave the key 'table' out for the total")
+        raise DeckError.single(name, found.line, str(window.table), "a cold curve has one temperature, but the law needs two or more",
+                               "omit the key 'table' to use the total; hugoniot eos sesame shows the cold curve")
     return _build(name, found.density, found.temperature, found.pressure, found.energy, window, {None: found.line})

@@ -35,7 +35,8 @@ def advice(problem: Problem) -> list[str]:
             masses.append(rho * first * (q ** (n - 1) if last else 1.0))
         jump = max(masses) / min(masses)
         if jump > 10.0:
-            found.append(f"the zone mass jumps by a factor of {jump:.3g} between '{a.name}' and '{b.name}': expect a start-up error there")
+            found.append(f"the zone mass jumps by a factor of {jump:.3g} between '{a.name}' and '{b.name}': expect errors there "
+                         "when waves cross; choose zone_size or ratio so that neighbouring zones have similar masses")
     if problem.solver.kind == "lagrange1d":
         found += _long_steps(problem.solver.courant, LONGEST_STEP[problem.solver.integrator])
     return found + advice_on_speeds(problem)

@@ -92,7 +92,8 @@ def checked_profile(row: Any, zones: int | None, material: Material | None, coll
         state = {key: float(given[key][k]) if key in given else getattr(row, key) for key in _STATE}
         check_state(SimpleNamespace(**state), material, collector, path)
         if collector.findings > before:
-            collector.add(path, f"at {format_si(place, 'm')} '{material.name}' cannot have this state")
+            collector.add(path, f"at {format_si(place, 'm')} the profile gives '{material.name}' a state that it cannot have "
+                                "(see the error above)")
             break
     return profile
 

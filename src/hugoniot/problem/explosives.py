@@ -75,7 +75,8 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
 def advice(problem: Problem) -> list[str]:
     """What is allowed but seldom meant: fronts products would not drive, burn laws of another density, lighting that comes too late."""
     said = material_advice(problem)
-    said += [f"lighting point {k + 1} fires at {format_si(point.time, 's')}, after the end of the run" for k, point in
+    said += [f"lighting point {k + 1} fires at {format_si(point.time, 's')}, after the end of the run (stop_time), "
+             "and has no effect" for k, point in
              enumerate(problem.lighting) if point.time > problem.stop_time]
     said += [text for body in programmed_bodies(problem) if (text := _converging_advice(problem, body))]
     for region in problem.regions:
@@ -137,10 +138,9 @@ def _front_advice(problem: Problem, region) -> str | None:
     excess = speed / ideal - 1.0
     effect = ("its zones are compressed from behind and finally crushed" if excess < 0.0 else
               f"behind it the pressure stays up to {100.0 * (2.0 * excess) ** 0.5:.2g} % too low" if excess < 0.1 else
-              "behind it the pressure stays far below CJ")
-    return (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, but its products would drive one at {ideal:.5g} "
-            "m/s "
-            f"(Chapman-Jouguet): {effect}; give burn.detonation_velocity = {ideal:.6g}")
+              "behind it the pressure stays far below the CJ pressure")
+    return (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, but its products would drive one at "
+            f"{ideal:.5g} m/s (Chapman-Jouguet): {effect}; give burn.detonation_velocity = {ideal:.6g}")
 
 
 def follows_compression(material) -> bool:

@@ -205,9 +205,9 @@ def _pressed_too_late(problem: Problem) -> list[tuple[tuple, str]]:
         if pulse.shape == "table":
             late = pulse.values[0] == 0.0 and max(pulse.values) > 0.0
         if late:
-            found.append((("boundary", side), f"its pressure is zero at first, and the gas of region '{region.name}' expands to nothing "
-                          "before it rises: then it meets an edge without mass; start from the gas's own pressure (a table of times and "
-                          "values), or drive it by a velocity"))
+            found.append((("boundary", side), f"the pressure starts at zero, so the gas of region '{region.name}' expands into "
+                          "vacuum before the pressure rises, which then acts on an edge without mass; start from the pressure of the "
+                          "gas (a table of times and values), or drive the end with a velocity"))
     return found
 
 
@@ -223,7 +223,7 @@ def _strong_defects(material: Material) -> list[str]:
                 "behind it are a fluid; leave the strength out, or use lagrange1d"]
     if material.burn is not None:
         return [f"burns and has strength: behind a front of {NAME} a partly burned solid would have to divide the work of the jump between "
-                "reactants, products and distortion, for which there is no rule; leave one out, or use lagrange1d"]
+                "reactants, products and distortion, for which there is no rule; leave one of the two out, or use lagrange1d"]
     return []
 
 
@@ -239,11 +239,12 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
                       "leave the law out (nothing spalls then), or use lagrange1d"))
     if flagged(material.eos, "shocks_only") and _has_strength(material):
         law = EOS.of(material.eos).name
-        found.append((("strength",), f"has strength and a pressure that does not depend on its density ('{law}'), which bears no tension: "
+        found.append((("strength",), f"has strength and a pressure that does not depend on its density ('{law}'), which "
+                      "supports no tension: "
                       "leave the strength out, or use another equation of state, such as mie_gruneisen"))
     if cells and flagged(material.eos, "shocks_only"):
-        found.append((("eos",), f"has a pressure that rises with the square root of its energy at rest ('{EOS.of(material.eos).name}'); "
-                      "cells know that energy as a small difference only, and what is released would be too fast on any mesh: use "
+        found.append((("eos",), f"has a pressure that rises with the square root of the energy ('{EOS.of(material.eos).name}'); "
+                      "in cells that energy is a small difference of large numbers, and releases would be too fast on any mesh: use "
                       "solver.options.mode = \"algebraic\", or another equation of state, such as mie_gruneisen"))
     if flagged(material.eos, "remembers"):
         found += _porous_defects(material, cells)
@@ -251,7 +252,7 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
         law = STRENGTH.of(material.strength).name
         what = "no constant shear modulus" if law in ("constant_poisson", "herrmann") else "no constant yield stress"
         found.append((("strength", "law"), f"has {what} ('{law}'); the waves of {NAME} are exact for perfectly_plastic (or none) only, "
-                      "whose deviator depends on the density alone: use one of these, or use lagrange1d"))
+                      "whose stress deviator depends on the density alone: use one of these, or lagrange1d"))
     return found
 
 
@@ -264,7 +265,7 @@ def _porous_defects(material: Material, cells: bool) -> list[tuple[tuple, str]]:
                       "lagrange1d"))
     if _has_strength(material):
         found.append((("strength",), "has strength and pores that stay crushed: its yield surface would move with the pores, and "
-                      f"{NAME} has no exact waves for both together; leave one out, or use lagrange1d"))
+                      f"{NAME} has no exact waves for both together; leave one of the two out, or use lagrange1d"))
     return found
 
 
@@ -277,8 +278,8 @@ def _burn_defects(material: Material) -> list[tuple[tuple, str]]:
         return [(("burn",), f"burns by '{law.name}' with '{closure}'; {NAME} follows programmed fronts into 'burned_products' only: a "
                  "front into a mixture would have a shock of its own; use that closure, a rate law, or lagrange1d")]
     if "instantaneous" in law.flags or not burning.has_reactants(material):
-        return [(("burn",), f"burns by '{law.name}' with '{closure}': behind a tracked shock {NAME} resolves a rate, and this has none; "
-                 "use 'programmed', whose front is tracked, or a rate law")]
+        return [(("burn",), f"burns by '{law.name}' with '{closure}': {NAME} resolves a reaction rate behind a tracked shock, and "
+                 "this law has none; use 'programmed', whose front is tracked, or a rate law")]
     found: list[tuple[tuple, str]] = []
     if material.reference_state == ROLLING:
         found.append((("reference_state",), f"has reference_state = \"rolling\"; {NAME} keeps the state behind its tracked shocks: "

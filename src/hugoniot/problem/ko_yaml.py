@@ -135,7 +135,8 @@ class _Reader:
             least, limit = self.number(table, "nrhomin", None, 0.8, where=key), self.number(table, "pfrac", "pressure", where=key)
             for name, value in (("nrhomin", least), ("pfrac", limit)):
                 if value < 0.0 or name == "nrhomin" and value == 0.0:
-                    raise self.wrong(f"{key}.frac.{name}", f"{value:g} is not a limit", "a tension and a density over rho0, both positive")
+                    raise self.wrong(f"{key}.frac.{name}", f"{value:g} is not a valid limit",
+                                     "pfrac is a tension, nrhomin a density over rho0, and both are positive")
             if (fracture := fracture_table(limit, least)) is not None:
                 tables["fracture"] = fracture
         if here.get("gravity") is not None:
@@ -191,7 +192,7 @@ class _Reader:
     def cells(self, mesh: dict, key: str) -> int:
         number = self.number(mesh, "cells", None, where=key)
         if not (number.is_integer() and number >= 1.0):
-            raise self.wrong(f"{key}.mesh.cells", f"{number:g} is not a number of cells", "a whole number above 0")
+            raise self.wrong(f"{key}.mesh.cells", f"{number:g} is not a number of cells", "give a whole number above 0")
         return int(number)
 
     def strength(self, table: dict, eos: dict, density: float, key: str) -> dict[str, Any] | None:

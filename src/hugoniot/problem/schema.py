@@ -56,14 +56,19 @@ class Quantity:
         except UnitError as error:
             raise trouble(error.message, error.hint) from None
         if self.above is not None and not number > self.above:
-            raise trouble(f"must be greater than {self.above:g}, got {printable(value)!r}")
+            raise trouble(f"must be greater than {self.above:g}, got {_as_written(value)}")
         if self.least is not None and not number >= self.least:
             unit = "" if self.unit == "1" or not self.least else f" {self.unit}"
-            raise trouble(f"must not be less than {self.least:g}{unit}, got {printable(value)!r}")
+            raise trouble(f"must not be less than {self.least:g}{unit}, got {_as_written(value)}")
         if abs(number) > self.limit:
             unit = "" if self.unit == "1" else f" {self.unit}"
-            raise trouble(f"unreasonably large: {printable(value)!r} is {number:g}{unit}", f"the limit is {self.limit:g}{unit}")
+            given = f"{number:g}{unit}" + (f" ({_as_written(value)})" if isinstance(value, str) and self.unit != "1" else "")
+            raise trouble(f"unreasonably large: {given}", f"the limit is {self.limit:g}{unit}")
         return number
+
+
+def _as_written(value: Any) -> str:
+    return repr(printable(value)) if isinstance(value, str) else printable(value)
 
 
 def quantity(unit: str, **bounds: float) -> Any:
@@ -133,6 +138,8 @@ def _in_words(item: Mapping, model: type[BaseModel]) -> tuple[str, str]:
     if kind in bounds:
         word, key = bounds[kind]
         return f"must be {word} {_grouped(context[key])}, got {shown}", ""
+    if kind == "string_too_long":
+        return f"must have at most {context['max_length']} characters, got {len(given)}", ""
     return printable(item["msg"][:1].lower() + item["msg"][1:], 200), ""
 
 

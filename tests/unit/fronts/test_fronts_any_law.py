@@ -92,7 +92,7 @@ def test_a_state_without_waves_at_the_start_is_told_with_a_remedy():
 def test_a_law_of_shocks_alone_is_refused_in_cells():
     """It has isentropes, and the other mode follows them (test_fronts_energy_alone.py)."""
     (found,) = fronts.defects(pushed(EOS.get("shock_energy").example, "cells"))
-    assert "square root of its energy" in found[1] and "algebraic" in found[1] and "mie_gruneisen" in found[1]
+    assert "square root of the energy" in found[1] and "algebraic" in found[1] and "mie_gruneisen" in found[1]
     assert fronts.defects(pushed(EOS.get("shock_energy").example, "algebraic")) == []
 
 

@@ -96,5 +96,5 @@ def test_a_list_or_a_table_where_a_number_belongs_is_told_with_its_place(registr
 
 
 def test_numbers_beyond_what_numbers_hold_leave_no_state():
-    with pytest.raises(DeckError, match=r"material\.odd\.eos: these parameters give no state at rest"):
+    with pytest.raises(DeckError, match=r"material\.odd\.eos: these parameters give no reference state"):
         read_deck_text(DECK.format("odd") + OWN.replace("[eos]", "[material.odd.eos]").replace("2.7 g/cm^3", "1e-320 kg/m^3"))

@@ -82,7 +82,7 @@ def test_derived_parameters_are_saved_as_they_are():
                                "melt_temperature": 1356.0}}, "needs temperatures"),
     ({"eos": EOS, "valid_up_to": "2 km"}, "expected a velocity"), ({"eos": EOS, "sources": [3]}, "a source is a string or a table"),
     ({"base": "coper"}, "copper"), ({"eos": {"law": "ideal_gas", "gamma": 0.5}}, "must be greater than 1"),
-    ({"eos": {"law": "polynomial", "rho0": 2700.0, "a": -73e9, "b": 0.0, "c": 0.0, "d": 1.6}}, "no real sound speed at rest"),
+    ({"eos": {"law": "polynomial", "rho0": 2700.0, "a": -73e9, "b": 0.0, "c": 0.0, "d": 1.6}}, "no real sound speed in the reference state"),
     ({"eos": {"law": "ideal_gas", "gamma": 1.4, "specific_heat": 0.0}}, "a specific heat must be positive, got 0"),
 ])
 def test_what_is_wrong_is_collected_with_a_way_out(tables, part):

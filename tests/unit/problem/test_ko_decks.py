@@ -193,8 +193,8 @@ def test_the_command_writes_a_deck_once(tmp_path, capsys):
     ("cells: 25", "cells: 25.4", "mat1.mesh.cells: 25.4 is not a number of cells"),
     ("cells: 25", "cells: 1" + "0" * 400, "mat1.cells: '10+...' is not a number"),
     ("rho0: 2.785", "rho0: 0.0", "mat1.init.rho0: 0 kg/m.3 is not a density"),
-    ("nrhomin: 0.9", "nrhomin: 0.0", "mat2.frac.nrhomin: 0 is not a limit"),
-    ("pfrac: 1E20", "pfrac: -1.0", "mat2.frac.pfrac: -1e.09 is not a limit"),
+    ("nrhomin: 0.9", "nrhomin: 0.0", "mat2.frac.nrhomin: 0 is not a valid limit"),
+    ("pfrac: 1E20", "pfrac: -1.0", "mat2.frac.pfrac: -1e.09 is not a valid limit"),
     ("time: microsecond, ", "", "units.time: is not given, and tstop needs it"),
     ("units: {", "units: !!python/object/apply:os.getcwd {", "not YAML: could not determine a constructor"),
     ("name: own plates", "a: &a {b: *a}", "aliases are expanded")])

@@ -221,7 +221,7 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
      "solver.viscosity.solid_linear", "does not apply to Herrmann's viscosity"),
     ('geometry = "axisymmetric"', 'geometry = "axisymmetric"\nbody_force = [1, 0]', 3, "body_force", "not uniform about the axis"),
     ("[solver]", '[[gauge]]\nname = "g"\nat = ["9 mm", 0]\n[solver]', 19, "gauge.g.at", "no material at"),
-    ("[solver]", '[[gauge]]\nname = "g"\non = "bar.left"\nat = [0, 0]\n[solver]', 17, "gauge.g", "not at and on"),
+    ("[solver]", '[[gauge]]\nname = "g"\non = "bar.left"\nat = [0, 0]\n[solver]', 17, "gauge.g", "got at and on"),
     ("[solver]", '[[gauge]]\nname = "g"\non = "bar.right"\nthrough = [0, 1]\ndirection = [1, 0]\n[solver]', 19, "gauge.g.on",
      "does not cross"),
     ("[solver]", '[[lighting]]\nat = [0, 0]\n[solver]', 18, "lighting[1].at", "no explosive with programmed burn"),

@@ -192,7 +192,7 @@ GASEOUS = '[material.x.eos]\nlaw = "ideal_gas"\ngamma = 3.0\nrho0 = 1600.0\n[mat
 
 @pytest.mark.parametrize(("top", "region", "words"), [
     ("lighting = [{at = 0.0}]", PRESSED, "runs at 7980 m/s, but its products would drive one at 7167.7"),       # pressed to another density
-    ("lighting = [{at = 0.0}]", '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\ndetonation_velocity = "70 km/s"', "far below CJ"),
+    ("lighting = [{at = 0.0}]", '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\ndetonation_velocity = "70 km/s"', "far below the CJ pressure"),
     ('lighting = [{at = 0.0}, {at = 0.0, time = "5 us"}]', "", "lighting point 2 fires at 5 us, after the end of the run"),
     ("", 'density = "1800 kg/m^3"\n' + BETA, "starts at 1800 kg/m3, and its burn law 'beta' measures compression from rho0 = 1717"),
     ("", '[material.x]\nbase = "LX-17 reactive"\n[material.x.unreacted]\nlaw = "ideal_gas"\ngamma = 1.4', "'ignition_growth' measures compression from rho0 = 1905"),

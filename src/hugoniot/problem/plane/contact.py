@@ -172,9 +172,10 @@ def _check_turning(row, axes, collector: Collector, path: tuple) -> None:
         collector.add((*path, "turns"), "does not apply to a body that is guided along a direction", "leave out turns or direction")
     elif not row.closed and (row.inertia is None or row.centre is None):
         missing = "inertia" if row.inertia is None else "centre"
-        collector.add((*path, missing), "missing: an open line has no area to find it from", "give both inertia and centre")
+        collector.add((*path, missing), "missing: it cannot be computed for an open line, which encloses no area",
+                      "give both inertia and centre")
     elif row.closed and (row.inertia is None or row.centre is None) and polygon_moments(row.points)[0] == 0.0:
-        message = "encloses no area to find the centre and the moment of inertia from"
+        message = "encloses no area, so the centre and the moment of inertia cannot be computed"
         collector.add((*path, "points"), message, "give both inertia and centre")
 
 

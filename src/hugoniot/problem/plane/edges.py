@@ -139,8 +139,9 @@ def _gauge(row, collector: Collector, path: tuple) -> Gauge2D | None:
     if given == {"on", "through", "direction"}:
         direction = unit_vector(row.direction, collector, (*path, "direction"))
         return None if direction is None else Gauge2D(row.name, "slit", row.through, " ".join(row.on.split()), direction)
-    has = f", not {' and '.join(sorted(given))}" if given else ""
-    collector.add(path, f"a gauge has at (material point), on (mean over a chain), or on, through and direction (line of sight){has}",
+    has = f"; got {' and '.join(sorted(given))}" if given else ""
+    collector.add(path, "give at (a material point), or on (the mean over a chain), or on with through and direction "
+                  f"(a line of sight){has}",
                   'such as at = ["1 mm", "2 mm"]')
     return None
 

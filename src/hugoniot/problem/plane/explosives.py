@@ -41,7 +41,8 @@ def _lighting_defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
 def advice(problem: Problem2D) -> list[str]:
     """What is allowed but seldom meant, as `problem.explosives.advice`."""
     said = material_advice(problem)
-    said += [f"lighting point {k + 1} fires at {format_si(point.time, 's')}, after the end of the run" for k, point in
+    said += [f"lighting point {k + 1} fires at {format_si(point.time, 's')}, after the end of the run (stop_time), "
+             "and has no effect" for k, point in
              enumerate(problem.lighting) if point.time > problem.stop_time]
     for block in problem.blocks:
         if burns(problem, block):
