@@ -80,7 +80,8 @@ def _started(material, text: str):
     if not given:
         return material
     if material.burn is None:
-        raise DeckError.single("command line", None, "--start", f"material '{material.name}' has no burn law")
+        raise DeckError.single("command line", None, "--start", f"material '{material.name}' has no burn law",
+                               "omit --start, or name an explosive with a rate")
     law = BURN.of(material.burn)
     strange = [name for name in given if name not in law.parameters._fields]
     if strange:
@@ -97,9 +98,11 @@ def _line(name: str, own: str):
         try:
             a, b = (float(part) for part in own.split(","))
         except ValueError:
-            raise DeckError.single("command line", None, "--line", f"'{own[:40]}' is not a line", 'write "1.11, -0.66"') from None
+            raise DeckError.single("command line", None, "--line", f"'{own[:40]}' is not a pair of numbers a, b",
+                                   'write "1.11, -0.66"') from None
         if not b < 0.0:
-            raise DeckError.single("command line", None, "--line", f"a run distance falls with pressure: b must be negative; got {b:g}")
+            raise DeckError.single("command line", None, "--line",
+                                   f"the run distance must fall with pressure, so b must be negative, got {b:g}")
         return PopLine(a, b), f"log10(p/GPa) = {a:g} {b:+g} log10(x/mm)"
     rows = [row for row in library.schema.table("pop_plot").values() if row.id == name.strip().upper()] or list(library.pop_lines(name))
     if not rows:

@@ -13,7 +13,6 @@ import typer
 from hugoniot.units import format_si
 
 SECONDS_BETWEEN_LINES = 5.0
-LONGEST_NAME = 60
 
 
 @contextlib.contextmanager
@@ -47,7 +46,7 @@ def time_left(seconds: float) -> str:
 def end_interrupted(folder) -> NoReturn:
     """End the command with exit code 130, saying how an interrupted run goes on."""
     kept = any((pathlib.Path(folder) / "checkpoint").glob("[0-9]*.json"))
-    state = "a checkpoint is kept; continue with" if kept else "there was nothing to keep yet; start again with"
+    state = "a checkpoint is kept; continue with" if kept else "no checkpoint was written yet; start again with"
     typer.echo(f"interrupted; {state}: hugoniot resume {shlex.quote(str(folder))}", err=True)
     raise typer.Exit(130) from None
 
@@ -60,10 +59,9 @@ def words(report) -> str:
 
 
 def compiling_words(news) -> str:
-    """One line: what is compiled and how many kernels come after it."""
-    name = news.kernel if len(news.kernel) <= LONGEST_NAME else news.kernel[:LONGEST_NAME - 3] + "..."
-    left = "" if news.left is None else ", the last one" if news.left == 0 else f", {news.left} more after it"
-    return f"compiling kernel {news.number}, once for this machine: {name}{left}"
+    """One line: which kernel is compiled, and of how many where that is known."""
+    total = "" if news.left is None else f" of {news.number + news.left}"
+    return f"compiling kernel {news.number}{total}, once for this machine"
 
 
 class Silent:

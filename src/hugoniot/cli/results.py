@@ -18,7 +18,7 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
     compiling = s.get("compile_seconds", 0.0)
     typer.echo(f"{s['title']}: {s['status']} at {format_si(s['time'], 's')}, {s['cycles']} cycles, "
                f"{s.get('zone_updates', 0):.3g} zone updates in {s['wall_seconds']:.2f} s"
-               + (f", {compiling:.2f} s of it compiling, once" if compiling >= 0.01 else ""))
+               + (f", of which {compiling:.2f} s compiling, once for this machine" if compiling >= 0.01 else ""))
     errors = [f"{word} {s[key]:.1e}" for word, key in (("mass", "mass_error"), ("momentum", "momentum_error"), ("energy", "energy_error"))
               if isinstance(s.get(key), (int, float))]
     if s.get("solver") == "shock_structure":
@@ -93,6 +93,6 @@ def _echo_spall(run: Run) -> None:
             if key in found:
                 typer.echo(f"  {words:38s} {'at least ' if is_lower_bound(key, found) else ''}{format_si(found[key], unit, 4)}")
     if "reason" in found:
-        typer.echo(f"spall strength: not given, {found['reason']}")
+        typer.echo(f"spall strength: not given: {found['reason']}")
     if "note" in found:
         typer.echo(f"  {found['note']}")

@@ -194,7 +194,8 @@ def _deck(path: str) -> dict:
 
     problem = read_deck(path).problem
     if problem.solver.kind != "shock_structure":
-        raise DeckError.single(path, None, "solver.kind", f"'{problem.solver.kind}' has no physical viscosity",
+        raise DeckError.single(path, None, "solver.kind", f"the solver '{problem.solver.kind}' does not resolve shocks "
+                               "with a physical viscosity",
                                'give a deck with kind = "shock_structure" (examples/argon-mach9.toml), or --viscosity')
     eos, transport, ahead = setting(problem)
     shock = problem.solver.options.get("shock") or {}

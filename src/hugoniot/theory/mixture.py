@@ -142,7 +142,7 @@ def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
     if np.any(~(rho > 0.0)) or np.any(~(rho_k > 0.0)):
         raise OutOfRange("densities of a mixture must be positive")
     if np.any(~((lam >= 0.0) & (lam <= 1.0))):
-        raise OutOfRange(f"burn fractions lie in 0..1; got {float(np.min(lam)):.6g}..{float(np.max(lam)):.6g}")
+        raise OutOfRange(f"burn fractions must lie between 0 and 1, got {float(np.min(lam)):.6g} to {float(np.max(lam)):.6g}")
     out = np.empty((9, rho.size))
     rows = (rho.ravel(), e.ravel(), lam.ravel(), rho_k.ravel(), e_k.ravel())
     if rho.size > COMPILE_ABOVE:

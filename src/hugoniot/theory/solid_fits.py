@@ -43,10 +43,12 @@ def fit_solid(rho0: float, gamma0: float, up, us) -> SolidFit:
     up, us = np.asarray(up, float), np.asarray(us, float)
     usable = (up > 0.0) & (us > up) & np.isfinite(up * us)
     if np.unique(up[usable]).size < 6:
-        raise OutOfRange("a fit of four constants and a deviation needs six different particle velocities above 0")
+        raise OutOfRange(f"a fit of four constants with a standard deviation needs 6 different particle velocities above 0, got "
+                         f"{np.unique(up[usable]).size}")
     x, p = (up / us)[usable], (rho0 * us * up)[usable]
     if not 0.5 * gamma0 * float(x.max()) < 1.0:
-        raise OutOfRange(f"gamma0 = {gamma0:g} puts the pole of the Hugoniot within the range of the points")
+        raise OutOfRange(f"gamma0 = {gamma0:g} is too large for these points: the Hugoniot would have its pole at up/us = 2/gamma0 = "
+                         f"{2.0 / gamma0:.4g}, and the points reach {float(x.max()):.4g}")
 
     def columns(r):
         return np.column_stack([(1.0 - gamma0 / k) * (np.exp(-k * (1.0 - x)) - np.exp(-k)) / (1.0 - 0.5 * gamma0 * x) / p for k in r])

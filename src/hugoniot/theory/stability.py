@@ -65,8 +65,8 @@ class Wave:
 
     def __post_init__(self):
         if not self.gamma > 1.0 or not self.heat > 0.0 or not self.activation >= 0.0:
-            raise OutOfRange(f"gamma = {self.gamma:g} must exceed 1, the heat {self.heat:g} must be positive and the activation energy "
-                             f"{self.activation:g} not negative")
+            raise OutOfRange(f"gamma must exceed 1, the heat must be positive and the activation energy must not be negative, got "
+                             f"{self.gamma:g}, {self.heat:g} and {self.activation:g}")
         if not self.overdrive >= CLOSEST:
             raise OutOfRange(f"the overdrive {self.overdrive:g} must be at least {CLOSEST:g}: at 1 the end of the zone is sonic, "
                              "and that limit can only be approached from above")

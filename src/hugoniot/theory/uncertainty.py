@@ -77,7 +77,7 @@ def propagate(function: Callable[..., Mapping[str, float]], values: Mapping[str,
     """
     names = [n for n, s in sigmas.items() if s != 0.0]
     if stray := set(sigmas) - set(values):
-        raise OutOfRange(f"no such parameter: {', '.join(sorted(stray))}; there are {', '.join(values)}")
+        raise OutOfRange(f"no such parameter: {', '.join(sorted(stray))}; the parameters are {', '.join(values)}")
     covariance = _covariance(names, sigmas, correlation or {})
     centre = {k: float(v) for k, v in function(**values).items()}
     if not names:
@@ -131,8 +131,8 @@ def _monte_carlo(function, values, names, covariance, centre, samples, seed):
         for k in rows:
             rows[k].append(float(answer[k]))
     if refused > 0.01 * samples:
-        raise OutOfRange(f"{refused} of {samples} samples fall outside the range of the laws: the errors are "
-                         "larger than the distance to their limits")
+        raise OutOfRange(f"{refused} of {samples} samples fall outside the range of the laws: the errors of the "
+                         "inputs are larger than their distance to the limits of the laws")
     spreads = {}
     for k, found in rows.items():
         low, high = np.percentile(found, [15.865525393145708, 84.1344746068543])

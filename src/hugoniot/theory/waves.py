@@ -97,8 +97,8 @@ def wave_diagram(layers: Sequence, thicknesses: Sequence[float], velocity: float
         tracker.move(wait)
         tracker.meet(k)
     else:
-        raise OutOfRange(f"more than {most_events} interactions of waves by {tracker.diagram.time:.6g} s: try a shorter time, "
-                         "fewer fan steps or a larger `smallest`, the weakest wave that is followed")
+        raise OutOfRange(f"more than {most_events} interactions of waves by {tracker.diagram.time:.6g} s: choose an earlier "
+                         "end time (until); in Python also fewer steps of a fan, or a larger `smallest`")
     tracker.finish()
     return tracker.diagram
 

@@ -80,10 +80,10 @@ def test_what_is_kept_is_known_before_it_is_asked_for(tmp_path, monkeypatch):
     assert not code_files.kept_at(outer.py_func, (nb.float32, arguments[1])).exists()
 
 
-@pytest.mark.parametrize("left, end", [(None, "f for A"), (0, "f for A, the last one"), (3, "f for A, 3 more after it")])
-def test_the_line_says_what_and_how_many(left, end, capsys):
+@pytest.mark.parametrize("left, said", [(None, "kernel 4,"), (0, "kernel 4 of 4,"), (3, "kernel 4 of 7,")])
+def test_the_line_says_which_and_of_how_many(left, said, capsys):
     line = compiling_words(Compiling("f for A", 4, left))
-    assert line.startswith("compiling kernel 4") and line.endswith(end)
+    assert line == f"compiling {said} once for this machine"
     display = Lines()
     for _ in range(3):       # a line every few seconds, not one for each kernel
         display.compiling(Compiling("f for A", 4, left))

@@ -53,7 +53,8 @@ def solid_table(name: str, least: float, highest: float, density: float | None, 
         gamma = 2.0 * us_up(up[kept], us[kept], 1).coefficients[1] - 1.0 if gruneisen is None else gruneisen
         found = fit_solid(rest, gamma, up[kept], us[kept])
     except OutOfRange as error:
-        raise DeckError.single(name, None, "points", str(error), "measure more, or widen --from and --to") from None
+        hint = "give a smaller --gruneisen" if "pole" in str(error) else "measure more, or widen --from and --to"
+        raise DeckError.single(name, None, "points", str(error), hint) from None
     values = {n: float(getattr(found.par, n)) for n in ("a", "b", "r1", "r2", "gamma0", "rho0")}
     told = [*_slow(up[kept], us[kept]), *_at_bounds(found)]
     if as_json:
@@ -79,11 +80,12 @@ def _doubts(up, us, fitted) -> list[str]:
     """The same, and about a curve without a sound speed at rest, not above the particle velocity, or falling with it."""
     found, (rest, slope) = _slow(up, us), fitted.coefficients[:2]
     if not rest > 0.0:
-        found.append(f"at up = 0 the curve gives us = {rest:.6g} m/s, which is not a sound speed: the curve cannot be used as a law")
+        found.append(f"at up = 0 the curve gives us = {rest:.6g} m/s, which is not a possible sound speed: the curve cannot be used as "
+                     "a law")
     elif not fitted(fitted.highest) > fitted.highest:
         found.append(f"the curve's shock velocity is not above the particle velocity at up = {fitted.highest:.6g} m/s")
     if len(fitted.coefficients) == 2 and not slope > 0.0:
-        found.append(f"the shock velocity falls with the particle velocity (s = {slope:.4g}): a shock of that kind is not stable")
+        found.append(f"the shock velocity falls with the particle velocity (s = {slope:.4g}): such shocks are not stable")
     return found
 
 
@@ -96,7 +98,7 @@ def _at_bounds(found) -> list[str]:
 def _density_at_rest(name: str) -> float:
     """Of a material of the library, kg/m3."""
     if Path(name).suffix.lower() in (".csv", ".txt", ".dat") or Path(name).exists():
-        raise DeckError.single("command line", None, "--density", "the points do not give the density at rest",
+        raise DeckError.single("command line", None, "--density", "the points do not give the reference density",
                                'add --density "8.93 g/cm^3"')
     from hugoniot.laws.eos.contract import reference_state
     from hugoniot.materials.library import find
@@ -143,7 +145,7 @@ def jwl(path: str, density: str, velocity: str, pressure: str, energy: str, omeg
     volumes, pressures = read_expansion(path)
     below = volumes > cj_volume
     if not (pressures[below] > 0.0).all():
-        raise DeckError.single(path, None, "pressure", "a pressure of zero has no logarithm to fit", "omit that point")
+        raise DeckError.single(path, None, "pressure", "a pressure of zero cannot be fitted, because the fit is to ln p", "omit that point")
     found = fit_jwl(rho0, d, p_cj, e0, volumes[below], pressures[below], omega=omega)
     par = found.par
     fitted = found.isentrope.pressure(volumes)

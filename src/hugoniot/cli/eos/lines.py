@@ -95,7 +95,8 @@ def gurney(
     echo_table(["explosive", "sqrt(2E), m/s", "", "M/C", *(f"{shape}, m/s" for shape in shapes)],
                [(r["explosive"], f"{r['gurney_velocity']:.0f}", "derived" if r["derived"] else "", f"{r['mass_ratio']:g}",
                  *(f"{r[shape]:.1f}" for shape in shapes)) for r in rows])
-    told = {f"Gurney velocities{',' if r['derived'] else ':'} {r['source']}" for r in rows} | {mark for r in rows for mark in r["marks"]}
+    told = {f"{'' if r['derived'] else 'source of the '}Gurney velocities{',' if r['derived'] else ':'} {r['source']}" for r in rows}
+    told |= {mark for r in rows for mark in r["marks"]}
     if velocity is not None and speed < SLOW:
         told.add(f"a Gurney velocity of {speed:g} m/s? A bare number is SI; write \"{speed:g} km/s\" if that is what you mean")
     if behind is not None:

@@ -68,7 +68,7 @@ def sesame(
 
 def _echo(file, chosen, held, found, grids, curves, sums) -> None:
     others = [str(m) for m in held if m != chosen and m is not None]
-    name = f"material {chosen}" if chosen is not None else "a material with no number"
+    name = f"material {chosen}" if chosen is not None else "a material without a number"
     typer.echo(f"{file}: {name}" + (f" (others: {', '.join(others)})" if others else ""))
     units = {"density": "kg/m3", "atomic_mass": "g/mol"}
     given = files.constants(found, chosen)
@@ -82,11 +82,12 @@ def _echo(file, chosen, held, found, grids, curves, sums) -> None:
     for parts, miss in sums.items():
         name = " + ".join(map(str, parts))
         typer.echo(f"{name}: on different grids, not compared with 301" if miss is None else
-                   f"{name} = 301 to {miss[0]:.2g} in pressure and {miss[1]:.2g} in energy, relative to the sum of the parts' magnitudes")
+                   f"{name} agrees with 301 to {miss[0]:.2g} in pressure and {miss[1]:.2g} in energy, relative to the sum of the parts' "
+                   "magnitudes")
     if 306 in grids:
         cold = grids[306]
         rest = _zero(cold.density, cold.pressure[:, 0])
-        typer.echo("306 cold curve: " + (f"zero pressure at {rest:.6g} kg/m3, " if rest else "no zero of the pressure, ")
+        typer.echo("306 cold curve: " + (f"zero pressure at {rest:.6g} kg/m3, " if rest else "the pressure is nowhere zero, ")
                    + f"lowest energy {cold.energy.min() * 1e-6:.6g} MJ/kg")
     if 401 in curves:
         top = int(np.argmax(curves[401].temperature))
@@ -143,6 +144,6 @@ def _echo_isotherm(isotherm: dict[str, Any]) -> None:
 def _doubts(sums: dict) -> list[str]:
     """Sums that miss the total by more than files are rounded."""
     return [f"{' + '.join(map(str, parts))} differs from 301 by up to {miss[0]:.2g} in pressure (at {miss[2]:.4g} kg/m3, {miss[3]:.4g} K) "
-            f"and {miss[1]:.2g} in energy, relative to the sum of the parts' magnitudes: the tables are not of one kind, or the total was "
-            "changed afterwards"
+            f"and {miss[1]:.2g} in energy, relative to the sum of the parts' magnitudes: the tables do not belong "
+            "together, or the total was changed afterwards"
             for parts, miss in sums.items() if miss is not None and max(miss[:2]) > _ADDS_UP]

@@ -47,7 +47,8 @@ def coggeshall_noh(geometry: str = "spherical", rate: float = 0.3, speed: float 
     Fields: density, velocity, pressure, energy. Numbers: gamma, shock_speed. Valid while 1 + a t > 0.
     """
     if min(speed, density) <= 0.0:
-        raise OutOfRange(f"Coggeshall's implosion needs positive speed and density, got {speed:g}, {density:g}")
+        raise OutOfRange(f"Coggeshall's implosion needs positive speed and density, got speed = {speed:g} m/s and density = {density:g} "
+                         "kg/m3")
     d = DIMENSION[geometry]
     gamma = 1.0 + 2.0 / d
     shock = 0.5 * (gamma - 1.0) * speed

@@ -132,7 +132,7 @@ def dsd_arc(detonation_velocity: float = 8000.0, curvature_length: float = 1e-3,
     front). Numbers: angular_velocity (rad/s), inner_velocity and outer_velocity (along the edges).
     """
     if min(detonation_velocity, curvature_length, inner) <= 0.0 or not outer > inner:
-        raise OutOfRange("the ring needs positive lengths and outer > inner")
+        raise OutOfRange("the ring needs positive lengths and an outer radius above the inner one")
     a, b = inner / curvature_length, outer / curvature_length
     first, last = -math.radians(inner_angle_degrees), math.radians(outer_angle_degrees)
 

@@ -69,7 +69,7 @@ def exponent(geometry: str, gamma: float) -> float:
     """Similarity exponent alpha, to about 1e-10."""
     d = DIMENSION[geometry]
     if d == 1 or not 1.0 < gamma <= 20.0:
-        raise OutOfRange("a converging shock is cylindrical or spherical, with 1 < gamma <= 20")
+        raise OutOfRange(f"a converging shock must be cylindrical or spherical, with 1 < gamma <= 20, got {geometry}, gamma = {gamma:g}")
     high = 0.995
     low = next((a for a in np.arange(0.98, 0.4, -0.01) if not _meets_sonic_first(a, gamma, d, 1e-7)), None)
     if low is None or not _meets_sonic_first(high, gamma, d, 1e-7):
@@ -225,7 +225,8 @@ def guderley(geometry: str = "spherical", gamma: float = 1.4, density: float = 1
     focus_density (at time 0), reflected_density (behind the reflected shock).
     """
     if density <= 0.0 or amplitude <= 0.0:
-        raise OutOfRange(f"a converging shock needs positive density and amplitude, got {density:g} and {amplitude:g}")
+        raise OutOfRange(f"a converging shock needs positive density and amplitude, got density = {density:g} kg/m3 and amplitude = "
+                         f"{amplitude:g}")
     flow = converging(geometry, gamma)
     b, pieces = 1.0 / flow.alpha, flow.pieces
     deepest = flow.reflected * np.exp(_REACH)

@@ -65,7 +65,7 @@ def nested(points, radius: float = 3.0, inner_velocity: float = 2.0, outer_veloc
     """
     points = np.asarray(points, float)
     if inner_velocity < outer_velocity:
-        raise OutOfRange("the inner explosive must be the faster one")
+        raise OutOfRange("the inner explosive must have the higher detonation velocity")
     r = np.linalg.norm(points, axis=-1)
     best = np.where(r <= radius, r / inner_velocity, radius / inner_velocity + (r - radius) / outer_velocity)
     for place, time in zip(detonators, times):

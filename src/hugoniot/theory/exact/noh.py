@@ -35,7 +35,8 @@ def noh(geometry: str = "spherical", gamma: float = 5.0 / 3.0, density: float = 
     Numbers: plateau_density, plateau_energy, plateau_pressure (behind the shock), shock_speed.
     """
     if gamma <= 1.0 or density <= 0.0 or speed <= 0.0:
-        raise OutOfRange(f"Noh's problem needs gamma > 1, density > 0 and speed > 0, got {gamma:g}, {density:g} kg/m3, {speed:g} m/s")
+        raise OutOfRange(f"Noh's problem needs gamma > 1, density > 0 and speed > 0, got gamma = {gamma:g}, density = {density:g} kg/m3, "
+                         f"speed = {speed:g} m/s")
     d = DIMENSION[geometry]
     plateau = density * ((gamma + 1.0) / (gamma - 1.0)) ** d
     energy = 0.5 * speed * speed

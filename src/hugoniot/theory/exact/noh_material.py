@@ -44,7 +44,7 @@ def noh_material(material: str = "copper", geometry: str = "planar", speed: floa
     rest, e1 = (float(v) for v in contract.reference_state(par))
     rho0 = density or rest
     if speed <= 0.0 or rho0 <= 0.0:
-        raise OutOfRange(f"Noh's problem needs density > 0 and speed > 0, got {rho0:g}, {speed:g}")
+        raise OutOfRange(f"Noh's problem needs density > 0 and speed > 0, got density = {rho0:g} kg/m3 and speed = {speed:g} m/s")
     if d > 1:
         e1 = 0.0
         if not all(contract.pressure(x * rho0, 0.0, par) == 0.0 for x in (1.0, 2.0, 5.0)):

@@ -60,7 +60,9 @@ def star(left: Side, right: Side) -> tuple[float, float, float]:
     """(pressure, velocity left, velocity right) between the waves; the velocities differ where the sides separate."""
     for side in (left, right):
         if not (side.density > 0.0 and side.pressure + side.p_infinity > 0.0 and side.gamma > 1.0):
-            raise OutOfRange(f"a side of a Riemann problem needs density > 0, pressure + p_infinity > 0 and gamma > 1, got {side}")
+            raise OutOfRange(f"a side of a Riemann problem needs density > 0, pressure + p_infinity > 0 and gamma > 1, got "
+                             f"density = {side.density:g} kg/m3, pressure = {side.pressure:g} Pa, p_infinity = {side.p_infinity:g} Pa, "
+                             f"gamma = {side.gamma:g}")
 
     def balance(p):
         return velocity_change(p, left) + velocity_change(p, right) + right.velocity - left.velocity

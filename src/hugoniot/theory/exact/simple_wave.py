@@ -34,7 +34,7 @@ def _gas(u, gamma, density, pressure):
 def _check(gamma, density, pressure, speed):
     if gamma <= 1.0 or density <= 0.0 or pressure <= 0.0 or speed <= 0.0:
         raise OutOfRange("a simple wave needs gamma > 1 and positive density, pressure and speed, "
-                         f"got {gamma:g}, {density:g}, {pressure:g}, {speed:g}")
+                         f"got gamma = {gamma:g}, density = {density:g} kg/m3, pressure = {pressure:g} Pa, speed = {speed:g} m/s")
 
 
 def centred_rarefaction(gamma: float = 1.4, density: float = 1.0, pressure: float = 1.0, speed: float = 1.0) -> Solution:
