@@ -80,7 +80,12 @@ class UnphysicalState(HugoniotError):
     exit_code = 3
 
     def __str__(self) -> str:
-        where = [] if self.zone is None else [f"zone {self.zone}" + (f" of region '{self.region}'" if self.region else "")]
+        if self.zone is None:
+            where = []
+        elif "i" in self.values:        # of two dimensions, where the cause names the place in the block
+            where = [f"block '{self.region}'"]
+        else:
+            where = [f"zone {self.zone}" + (f" of region '{self.region}'" if self.region else "")]
         if self.position is not None:
             where.append(f"at {self.position:.6g} m")
         if self.time is not None:

@@ -63,9 +63,10 @@ _CAPTIONS = {
     "gauge_stress": "Longitudinal stress at the gauges, positive in compression.",
     "gauge_velocity": "Particle velocity at the gauges.",
     "free_surface": "Velocity of the surface that an interferometer would see.",
-    "budget": "Parts of the energy, all regions together, in Herrmann's partition (A.6). Internal energy is measured from its "
+    "budget": "Parts of the energy of all regions together, divided as by Herrmann (WL-TR-64-107, A.6). Internal energy is measured "
+              "from its "
               "initial value; dashed lines are its parts.",
-    "errors": "Largest relative error of mass, momentum and total energy so far.",
+    "errors": "Largest relative error of mass, momentum and total energy up to each time.",
 }
 
 

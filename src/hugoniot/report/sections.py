@@ -7,8 +7,8 @@ from html import escape
 from hugoniot.units import format_si
 
 _UNIT_SIGNS = ((" us", " µs"), (" um", " µm"), ("^2", "²"), ("^3", "³"), ("^-1", "⁻¹"), ("^-3", "⁻³"))
-_STATUS = {"verified": "read in the stated file", "corrected": "an error in that file corrected", "derived": "derived",
-           "recalled": "from memory, not checked against print", "user": "from the deck, or a default"}
+_STATUS = {"verified": "read in the stated file", "corrected": "read in the stated file, a mistake corrected", "derived": "derived",
+           "recalled": "quoted from memory, not checked against the source", "user": "from the deck, or a default"}
 _FAMILIES = {"eos": "equation of state", "viscosity": "artificial viscosity", "transport": "shear viscosity",
              "conduction": "heat conduction"}
 MOST_EVENTS = 200
@@ -115,7 +115,7 @@ def _flat(options: dict, before: str = ""):
 
 _THICKNESSES = (
     ("density thickness of this run", "density_thickness", "m", "|ρ₂ − ρ₁| / max|dρ/dx|, from the cells"),
-    ("cells in it", "cells_per_thickness", "", "density thickness over cell width"),
+    ("cells in this thickness", "cells_per_thickness", "", "density thickness over cell width"),
     ("density thickness, steady", "steady_density_thickness", "m", "|ρ₂ − ρ₁| / max|dρ/dx|"),
     ("velocity thickness, steady", "steady_velocity_thickness", "m", "|u₂ − u₁| / max|du/dx|"),
     ("density width, steady", "steady_density_width_10_90", "m", "from 10 % to 90 % of the jump of density"),

@@ -177,8 +177,8 @@ class Fronts(Reading):
         if not self.line.cuts:
             return missing
         fans = "1 fan was" if self.line.cuts == 1 else f"{self.line.cuts} fans were"
-        return [*missing, f"{fans} reached by other waves and cut into slices of at most {self.bench.fan_step:g} sound speeds: "
-                "behind them states are accurate to the square of that step"]
+        return [*missing, f"{fans} reached by other waves and cut into slices, each with a velocity step of at most "
+                f"{self.bench.fan_step:g} times the sound speed: behind them states are accurate to the square of that step"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
     def payload(self) -> dict:

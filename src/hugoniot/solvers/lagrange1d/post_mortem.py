@@ -60,7 +60,7 @@ def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str
             continue
         supported = float(pressure(DENSE * float(reference_state(material.eos)[0]), energy, material.eos))
         if 0.0 < supported < pressed:
-            cause = (f"zone collapsed: its equation of state cannot support more than {format_si(supported, 'Pa')}, however dense the "
+            cause = (f"the zone collapsed: its equation of state cannot support more than {format_si(supported, 'Pa')}, however dense the "
                      f"material becomes, and the stress there reached {format_si(pressed, 'Pa')}.")
             return (j, cause, "use an equation of state that stiffens without bound: for a powder, grain_contact around this law, or "
                     "p_alpha or snow_plough over the law of its solid; otherwise the exact cold curve (mie_gruneisen_cold) instead of "
@@ -106,7 +106,7 @@ def torn_reactants(problem, zones, charge, region_of, culprit: int) -> tuple[str
     return (f"the explosive that has not burned (burn fraction {burned:.3g}) is stretched to {rho:.4g} kg/m3, where the mixture has no "
             f"sound speed: its law, {law}, is fitted to compression.",
             "stop the run before the release arrives, cover the free surface with an inert tamper, or give the material an unreacted law "
-            "that expands ([material.x.unreacted] law = \"mie_gruneisen\"; after a weak shock tension_cutoff over its own law will do).")
+            "that expands ([material.NAME.unreacted] law = \"mie_gruneisen\"; after a weak shock tension_cutoff over its own law will do).")
 
 
 def diagnose(code, values, left, right, breaks: bool) -> tuple[str, str]:
@@ -127,13 +127,13 @@ def diagnose(code, values, left, right, breaks: bool) -> tuple[str, str]:
                 "with a programmed burn, use the law programmed_beta, in which compression can burn a zone ahead of its schedule, or a "
                 "rate law; with any other burn law, use finer zones or lower [solver] courant.")
     if not right > left:
-        return ("zone inverted (negative volume).",
+        return ("the zone is inverted (negative volume).",
                 "lower [solver] courant, or increase the artificial viscosity.")
     if not values["density"] > 0.0:
         return ("negative or zero density.", "lower [solver] courant.")
     if values["pressure"] < 0.0:
         return ("the sound speed became imaginary in tension: the material is stretched beyond the range of its equation of state.",
-                "lower the limits of the fracture law ([material.x.fracture]), or use an equation of state valid in expansion." if breaks
-                else "add a fracture law to the material ([material.x.fracture]).")
+                "lower the limits of the fracture law ([material.NAME.fracture]), or use an equation of state valid in expansion." if breaks
+                else "add a fracture law to the material ([material.NAME.fracture]).")
     return ("the sound speed is imaginary or not finite: the state left the range of its equation of state.",
             "check the impact conditions against the law's compression limit, lower [solver] courant, or use another equation of state.")

@@ -133,8 +133,9 @@ def pulled(problem: Problem, peak_tension, ranges) -> list[str]:
         tension = float(np.max(peak_tension[a:b]))
         if tension > PULLED * rho * sound_speed_squared(rho, e, material.unreacted):
             told.append(f"region '{region.name}': its unburned explosive held a tension of up to {format_si(tension, 'Pa')} without "
-                        "separating: give the material a fracture law, or limit the tension: [material.x.unreacted] "
-                        "law = \"tension_cutoff\", tension = \"0 Pa\", its own law with all constants under [material.x.unreacted.base]")
+                        f"separating: give the material a fracture law, or limit the tension: [material.{region.material}.unreacted] "
+                        "law = \"tension_cutoff\", tension = \"0 Pa\", and its own law with all constants "
+                        f"under [material.{region.material}.unreacted.base]")
     return told
 
 
