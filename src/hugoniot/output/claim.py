@@ -97,10 +97,11 @@ def same_deck(path: pathlib.Path, kept: str | None) -> str:
         with legible(path):
             text = read_regular(path).decode("utf-8-sig")
     except (FileTrouble, UnicodeDecodeError) as error:
+        why = "not a UTF-8 text file" if isinstance(error, UnicodeDecodeError) else str(error)
         if kept is None:
-            raise FileTrouble(f"{path}: cannot be read ({error})") from error
+            raise FileTrouble(f"{path}: cannot be read ({why})") from error
         again = f"hugoniot resume {path.parent} --restore-deck"
-        raise FileTrouble(f"{path}: cannot be read ({error}); its run keeps a copy: `{again}`") from error
+        raise FileTrouble(f"{path}: cannot be read ({why}); to restore the copy kept with the run: `{again}`") from error
     if kept is None or text == kept:
         return text
     lines = list(difflib.unified_diff(kept.splitlines(), text.splitlines(), n=0, lineterm=""))[2:]

@@ -112,6 +112,8 @@ class Run:
                 document, deck = json.loads(group["document"].asstr()[()]), group["deck"].asstr()[()]
                 if not isinstance(document, dict):
                     raise ValueError("the document is not a table")
+        except json.JSONDecodeError as error:
+            raise FileTrouble(f"{self.folder / 'result.h5'}: setup: damaged, cannot be read (not JSON)") from error
         except (RuntimeError, KeyError, ValueError, TypeError, AttributeError, RecursionError) as error:
             raise FileTrouble(f"{self.folder / 'result.h5'}: setup: damaged, cannot be read ({error})") from error
         wrong = "" if self.partial else wrong_setup(document, "mesh" in self._described)

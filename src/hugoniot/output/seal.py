@@ -55,6 +55,8 @@ def read_sealed(path, data: bytes, wanted: tuple[str, ...] = ()) -> dict:
             raise ValueError("it is not a table")
         if sound is None and any(key in document for key in wanted):
             raise ValueError("its SHA-256 is missing")
+    except json.JSONDecodeError as error:
+        raise FileTrouble(f"{path}: changed since it was written (not JSON at line {error.lineno}, column {error.colno})") from error
     except (ValueError, RecursionError) as error:
         raise FileTrouble(f"{path}: changed since it was written ({error})") from error
     document.pop(MARK, None)
