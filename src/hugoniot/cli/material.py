@@ -323,9 +323,8 @@ def _echo_findings(found: list, counts: dict, every: bool) -> None:
     quiet = () if every else ("caveat of the row", "warning", "law")
     lines = [f for f in found if f.verdict == "fail"]
     lines += [f for f in found if f.verdict == "mark" and f.check not in quiet and (every or "states no" not in f.text)]
-    shown = {"mark": "remark"}
     echo_table(["verdict", "where", "check", "finding"],
-               [(shown.get(f.verdict, f.verdict), f.where, f.check, f.text or f"{f.value:.4g}") for f in lines])
-    typer.echo(f"{counts['ok']} checks passed, {counts['mark']} remarks, {counts['fail']} failures")
+               [("remark" if f.verdict == "mark" else f.verdict, f.where, f.check, f.text or f"{f.value:.4g}") for f in lines])
+    typer.echo(f"checks passed: {counts['ok']}, remarks: {counts['mark']}, failed: {counts['fail']}")
 
 

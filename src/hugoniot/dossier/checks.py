@@ -87,7 +87,7 @@ def _in_range(where: str, name: str, value: float, doubted: bool = False) -> Ite
     if name == "a" or value == 0.0 and low > 0.0 and name in ("yield_stress",):
         return
     inside = low <= value <= high
-    text = "" if inside else f"{name} = {value:g} is outside the plausible range {low:g} to {high:g} (SI)"
+    text = "" if inside else f"{name} = {value:g} is outside the plausible range, {low:g} to {high:g} in SI units"
     yield Finding(where, f"range of {name}", "ok" if inside else ("mark" if doubted else "fail"), value, math.nan, text)
 
 
@@ -127,7 +127,7 @@ def _at_rest(where: str, par: Any) -> Iterator[Finding]:
     rho, e = reference_state(par)
     modulus = float(rho * sound_speed_squared(rho, e, par))
     p = float(pressure(rho, e, par))
-    yield _judge(where, "zero pressure at rest", p / modulus, 1e-12, f"{p:g} Pa at {rho:g} kg/m^3")
+    yield _judge(where, "zero pressure in the reference state", p / modulus, 1e-12, f"{p:g} Pa at {rho:g} kg/m^3")
 
 
 def _strength(row: Row) -> Iterator[Finding]:
@@ -210,7 +210,7 @@ def _compression(row: Row) -> Iterator[Finding]:
 def _gas(row: Row) -> Iterator[Finding]:
     par = make_entry(row.id, {"eos": {"row": row.id}}, f"row {row.id}").material.eos
     p = float(pressure(*reference_state(par), par))
-    yield _judge(row.id, "pressure at rest", p / row["pressure"] - 1.0, 1e-12, f"{p:g} Pa")
+    yield _judge(row.id, "pressure in the reference state", p / row["pressure"] - 1.0, 1e-12, f"{p:g} Pa")
 
 
 # -- measured states and fits ------------------------------------------------------------------------------------

@@ -159,7 +159,7 @@ def _source(row: Any, collector: Collector, path: tuple) -> Source | None:
         return Source("", "", "", row)
     names = [f.name for f in fields(Source)]
     if not isinstance(row, dict):
-        collector.add(path, "a source is a string or a table", f"keys: {', '.join(names)}")
+        collector.add(path, "expected a source, as a string or a table", f"keys: {', '.join(names)}")
         return None
     for key in row:
         if key not in names:

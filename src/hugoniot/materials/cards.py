@@ -42,7 +42,7 @@ def _us_up(row: Row) -> Card:
     if form not in _LAW_OF_FORM:
         raise ValueError(f"row {row.id}: the package has no equation of state for a Hugoniot of the form '{form}'")
     if "rho0" not in row:
-        raise ValueError(f"row {row.id} gives no density: it serves for comparison only")
+        raise ValueError(f"row {row.id} gives no density: it can be used for comparison only")
     found: Card = {"law": _LAW_OF_FORM[form]}
     for name, column in _PARAMETERS[form].items():
         found[name] = row.constant(column, name)

@@ -36,7 +36,7 @@ def read_law(registry: Registry, table: Any, collector: Collector, path: tuple, 
     if name is None and inherited is not None:
         name = registry.of(inherited).name
     if not isinstance(name, str):
-        message = "missing" if name is None else "a law is given by its name, a string"
+        message = "missing" if name is None else "expected the name of a law, a string"
         collector.add((*path, "law"), message, f"known: {', '.join(registry.names())}")
         return None
     if name not in registry.names():
@@ -55,7 +55,7 @@ def _read_parameters(registry: Registry, law: Law, table: dict, collector: Colle
     if direct:  # the law's own fields, as a saved problem writes them when `build` derives them from other numbers
         table, path = table["parameters"], (*path, "parameters")
         if not isinstance(table, dict):
-            collector.add(path, "the parameters are a table")
+            collector.add(path, "expected a table of parameters")
             return None
         names = list(law.parameters._fields)
         required = [n for n in names if n not in law.parameters._field_defaults]
@@ -69,8 +69,8 @@ def _read_parameters(registry: Registry, law: Law, table: dict, collector: Colle
     for key in required:
         if key not in table:
             unit = law.units.get(key, "1")
-            meaning = law.meaning.get(key, "")
-            collector.add((*path, key), f"missing: {meaning or 'needed'}" + (f" ({unit})" if unit not in ("1", "text") else ""))
+            shown = "" if unit in ("1", "text") else ' (a table with law = "...")' if unit == "law" else f" ({unit})"
+            collector.add((*path, key), f"missing: {law.meaning.get(key) or 'required'}{shown}")
     lost = any(value is None and EOS.knows(getattr(law.example, key, None)) for key, value in values.items())
     if lost or collector.findings > before:
         return None

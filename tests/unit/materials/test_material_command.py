@@ -108,7 +108,7 @@ def test_check_a_users_file(capsys, tmp_path):
     assert code == 2 and "c0 = 5.2 is outside" in out
     path.write_text(path.read_text().replace("5.2 m/s", "5.2 km/s"))
     code, out, _ = call(capsys, "check", path)
-    assert code == 0 and "outside" not in out and "0 failures" in out
+    assert code == 0 and "outside" not in out and "failed: 0" in out
     assert call(capsys, "check")[0] == 2
 
 

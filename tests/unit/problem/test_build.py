@@ -80,7 +80,7 @@ def test_derived_parameters_are_saved_as_they_are():
     ({"eos": EOS, "strength": {"law": "johnson_cook", "shear_modulus": 46e9, "yield_stress": 9e7, "hardening_coefficient": 2.9e8,
                                "hardening_exponent": 0.31, "rate_coefficient": 0.025, "thermal_exponent": 1.09, "room_temperature": 294.0,
                                "melt_temperature": 1356.0}}, "needs temperatures"),
-    ({"eos": EOS, "valid_up_to": "2 km"}, "expected a velocity"), ({"eos": EOS, "sources": [3]}, "a source is a string or a table"),
+    ({"eos": EOS, "valid_up_to": "2 km"}, "expected a velocity"), ({"eos": EOS, "sources": [3]}, "as a string or a table"),
     ({"base": "coper"}, "copper"), ({"eos": {"law": "ideal_gas", "gamma": 0.5}}, "must be greater than 1"),
     ({"eos": {"law": "polynomial", "rho0": 2700.0, "a": -73e9, "b": 0.0, "c": 0.0, "d": 1.6}}, "no real sound speed in the reference state"),
     ({"eos": {"law": "ideal_gas", "gamma": 1.4, "specific_heat": 0.0}}, "a specific heat must be positive, got 0"),
