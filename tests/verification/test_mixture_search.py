@@ -120,7 +120,7 @@ def test_refusals_name_the_state_and_the_cause():
         tool.solve(3.0 * rho_k, 1e6, 0.5, par, (rho_k, e_k + Q))
     with pytest.raises(OutOfRange, match="reference"):
         tool.solve(rho_k, e_k + Q, 0.5, par)
-    with pytest.raises(OutOfRange, match="0..1"):
+    with pytest.raises(OutOfRange, match="between 0 and 1"):
         tool.solve(rho_k, e_k + Q, 1.2, par, (rho_k, e_k + Q))
     with pytest.raises(OutOfRange, match="positive"):
         tool.solve(-1.0, e_k + Q, 0.2, par, (rho_k, e_k + Q))

@@ -80,7 +80,7 @@ def _grid(variables: Sequence[Variable], samples: int | None) -> Design:
                                                                                                          "with --design sobol")
     for variable in variables:
         if variable.kind == "normal":
-            raise refuse("--vary", variable.name, "a grid cannot hold a normal distribution", "take a sample with --design sobol or lhs")
+            raise refuse("--vary", variable.name, "a grid cannot contain a normal distribution", "take a sample with --design sobol or lhs")
         if variable.kind != "values" and variable.count is None:
             raise refuse("--vary", variable.name, "a grid needs the number of values in a range", "add it after the range, such as ': 10'")
     shape = tuple(len(v.values) if v.kind == "values" else v.count or 0 for v in variables)

@@ -159,24 +159,25 @@ def _doubts(problem, best, parameters, correlation, chi_square, freedom, probabi
     elif probability < UNLIKELY:
         found.append("the model does not match the data within their uncertainty: reduced chi-square "
                      f"{chi_square / freedom:.3g} for {freedom} degree{'' if freedom == 1 else 's'} of freedom. "
-                     "Look at the residuals before using a value; the intervals are widened by the misfit, "
-                     "but that does not replace a model that matches")
+                     "Look at the residuals before using a value; the intervals are widened to include the misfit, "
+                     "but they are not reliable for a model that does not match")
     estimated = [t.label for t in problem.targets if t.estimated]
     if estimated:
         sigmas = ", ".join(f"{float(t.sigma[0]):.3g} {t.unit}" for t in problem.targets if t.estimated)
-        found.append(f"no uncertainty was given for {', '.join(estimated)}: taken from the noise of the record itself ({sigmas})")
+        found.append(f"no uncertainty was given for {', '.join(estimated)}: it was estimated from the noise of the record ({sigmas})")
     for p in parameters:
         if p.at_end:
-            found.append(f"{p.name} lies at the end of its range: the data favour a value outside it, or do not depend on it")
+            found.append(f"{p.name} lies at a limit of its range: the data favour a value outside the range, or do not depend on this "
+                         "parameter")
         elif p.sigma > 0.3 * abs(_width(problem, p.name)):
-            found.append(f"{p.name} is not determined by these data: its standard deviation is more than 0.3 of its range")
+            found.append(f"{p.name} is not determined by these data: its standard deviation is more than 0.3 times its range")
     for j in range(len(parameters)):
         for k in range(j):
             if abs(correlation[j, k]) > 0.95:
                 pair = f"{parameters[k].name} and {parameters[j].name}"
                 found.append(f"{pair} cannot be separated by these data (correlation {correlation[j, k]:+.3f})")
     if not best.settled:
-        found.append("the search ended before it converged")
+        found.append("the search ended before it converged: the values are not at the minimum")
     near = [cost for _, cost in others if cost < best.cost + 10.0 * max(1.0, best.cost / max(freedom, 1))]
     if near:
         found.append(f"{len(near)} other minimum fits nearly as well: see others in fit.json" if len(near) == 1 else

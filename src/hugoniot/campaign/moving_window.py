@@ -66,7 +66,7 @@ def follow(material: Material, initial: Initial, duration: float, *, overdrive: 
     """
     if not (duration > 0.0 and zones >= 1 and window > 2.0):
         raise OutOfRange(f"a followed detonation needs a positive duration, at least one zone per half-reaction length and a window of "
-                         f"more than 2 half-reaction lengths; got {duration:g} s, {zones:g}, {window:g}")
+                         f"more than 2 half-reaction lengths, got {duration:g} s, {zones:g} zones and {window:g} half-reaction lengths")
     exact = znd(burning.reactive(material).mixture, initial, material.burn, overdrive=overdrive, points=2000, complete=1.0 - 1e-9)
     size, drift = exact.half_reaction_length / zones, float(exact.particle_velocity[-1])
     behind = round(window * zones * float(exact.states.density[-1]) / initial.density)

@@ -78,7 +78,7 @@ class Plan:
             value = given(raw, key)
             if value is None:
                 names = [*known, *keys_in(raw)]
-                raise Trouble(f"'{printable(key)}' is neither given by the deck nor varied", nearest(key, names, "write it into the deck"))
+                raise Trouble(f"'{printable(key)}' is neither a key of the deck nor varied", nearest(key, names, "write it into the deck"))
             self._base[key] = quantity(value)
         return self._base[key]
 

@@ -58,7 +58,7 @@ def read_pop_plot(path: str, number: int, sigma: str | None, notes: list[str]) -
     heads = [split_unit(head) for head in lines[0][1]]
     for k, (head, unit) in enumerate(heads):
         if head not in _UNITS or unit is None:
-            raise DeckError.single(name, 1, f"column {k + 1}", f"'{lines[0][1][k].strip()}' is not a Pop plot column with its unit",
+            raise DeckError.single(name, 1, f"column {k + 1}", f"'{lines[0][1][k].strip()}' is not a column of a Pop plot with its unit",
                                    "write: pressure [GPa], distance [mm], distance sigma [mm]")
     if "distance" not in dict(heads) or len(lines) < 2:
         raise DeckError.single(name, 1, "table", "a Pop plot needs input pressures and run distances",
@@ -103,7 +103,7 @@ def explosive_of(problem):
     """The material of a problem that burns by a rate. Raises `DeckError` where there is none, or more than one."""
     found = [material for material in problem.materials.values() if material.burn is not None]
     if len(found) != 1:
-        message = (f"{len(found)} materials that burn; a Pop plot belongs to one" if found else
+        message = (f"the deck has {len(found)} materials that burn, but a Pop plot belongs to one" if found else
                    "a Pop plot needs an explosive with a rate law, and the deck has none")
         raise DeckError.single("deck", None, "material", message, "use a deck in which one material burns, by a rate law")
     return found[0]

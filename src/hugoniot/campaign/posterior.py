@@ -65,7 +65,7 @@ class Posterior:
 def checked(kind: str) -> None:
     """Raise `DeckError` for a posterior that does not exist, or where emcee is missing."""
     if kind not in KINDS:
-        raise DeckError.single("command line", None, "--posterior", f"'{kind}' is unknown", f"known: {', '.join(KINDS)}")
+        raise DeckError.single("command line", None, "--posterior", f"unknown kind of posterior '{kind}'", f"known: {', '.join(KINDS)}")
     try:
         import emcee  # noqa: F401
     except ImportError:
@@ -142,8 +142,9 @@ def _walked(problem: Problem, answers: Callable, start: np.ndarray, most: int, r
 def _doubts(problem: Problem, stand_in: Surrogate | None, flat: np.ndarray, effective: float, long: float) -> list[str]:
     found = []
     if effective < LEAST_EFFECTIVE or long < LONG_ENOUGH:
-        found.append(f"the chains were short: {long:.0f} autocorrelation times (50 are enough), {effective:.0f} independent draws; "
-                     "the quantiles are rough" + ("; allow more runs (--posterior-runs)" if stand_in is None else ""))
+        found.append(f"the chains were short: {long:.0f} autocorrelation times ({LONG_ENOUGH:g} are enough) and {effective:.0f} "
+                     "independent draws; "
+                     "the quantiles are inaccurate" + ("; allow more runs (--posterior-runs)" if stand_in is None else ""))
     if stand_in is not None:
         rim = np.mean(np.any(np.abs(stand_in.places(flat)) > 0.9, axis=1))
         if rim > 0.02:
@@ -153,7 +154,7 @@ def _doubts(problem: Problem, stand_in: Surrogate | None, flat: np.ndarray, effe
     for k, name in enumerate(problem.names):
         share = (flat[:, k] - low[k]) / (high[k] - low[k])
         if np.mean((share < 0.02) | (share > 0.98)) > 0.05:
-            found.append(f"the range of {name} truncates its posterior")
+            found.append(f"the posterior of {name} is cut off by the limits of its range, so its quantiles depend on the range")
     return found
 
 

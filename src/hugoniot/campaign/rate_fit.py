@@ -90,8 +90,7 @@ def fit_rate(material: Material, line: PopLine, pressures: Sequence[float], adju
     first = made[tuple(f.given(0.5) for f in problem.free)]
     if not any(math.isfinite(p.distance) for p in first):
         raise OutOfRange(f"with the starting constants no run detonated within {ROOM:g} times the measured run distance, or every run "
-                         "detonated at once; "
-                         f"start from constants that are closer to the data ({first[-1].note})")
+                         f"detonated at once ({first[-1].note}); start from constants that are closer to the data")
     fit = weighed(problem, [problem.search(start)])
     values = [f.given(c) for f, c in zip(problem.free, fit.minimum.x)]
     model = target.model(problem.answers([fit.minimum.x])[0])
@@ -129,7 +128,7 @@ class _Unknowns:
         lone = [name for name in self.names if name in self.power.values() and not any(self.power.get(n) == name for n in self.names)]
         if lone:
             factor = next(n for n, p in self.power.items() if p == lone[0])
-            raise OutOfRange(f"the power '{lone[0]}' of the pressure cannot be adjusted without its coefficient '{factor}': name both")
+            raise OutOfRange(f"the power '{lone[0]}' of the pressure cannot be adjusted without its coefficient '{factor}': adjust both")
         zero = [name for name, log in zip(self.names, self.logarithmic) if log and not getattr(material.burn, name) > 0.0]
         if zero:
             raise OutOfRange(f"the constant '{zero[0]}' starts from 0, but its logarithm is adjusted; start from a positive value")

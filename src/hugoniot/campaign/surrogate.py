@@ -108,7 +108,8 @@ def _sampled(problem: Problem, best: np.ndarray, axes: np.ndarray, runs: int, se
     answers = problem.answers([np.concatenate([best[:count] + axes @ each, best[count:]]) for each in z])
     sound = [k for k, answer in enumerate(answers) if "numbers" in answer]
     if len(sound) < max(4 * count, 8):
-        raise NoSolution(f"only {len(sound)} of {len(z)} runs for the surrogate succeeded: too few to build a surrogate")
+        raise NoSolution(f"only {len(sound)} of {len(z)} runs for the surrogate succeeded: too few to build a surrogate; "
+                         "use more runs (--posterior-runs), or --posterior runs")
     return z[sound], [answers[k] for k in sound]
 
 

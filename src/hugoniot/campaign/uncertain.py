@@ -58,7 +58,7 @@ def known_of(question: Deck) -> list[Known]:
 def uncertain(question: Deck, kind: str) -> tuple[list[Variable], list[Tie], list[Known]]:
     """(names that vary, ties of the constants to them, what is known of each material). Raises `DeckError`."""
     if kind not in KINDS:
-        raise refuse("--uncertain", kind, "unknown", f"known: {', '.join(KINDS)}")
+        raise refuse("--uncertain", kind, "unknown kind of uncertainty", f"known: {', '.join(KINDS)}")
     if not isinstance(question, Deck):
         raise refuse("--uncertain", kind, "an impedance match has no deck", 'vary its constants: --vary "material.copper.eos.c0 = ..."')
     known = known_of(question)

@@ -135,7 +135,7 @@ def _range(name: str, rest: str, where: str, text: str) -> Variable:
         low = convert(low, low_unit, unit) if unit else low
         unit = unit or low_unit
     if not low < high:
-        raise refuse(where, text, f"an empty range: {low:g} is not below {high:g}", "give the lower end first")
+        raise refuse(where, text, f"an empty range: {low:g} is not below {high:g}", "give the lower value first")
     words = steps.split()
     log = "log" in words
     counts = [word for word in words if word != "log"]
@@ -191,7 +191,7 @@ def of_column(head: str, cells: list[str], where: str) -> Variable:
         raise refuse(where, head, "the column has no unit", f"write '{name} [m/s]', or '{name} [1]' for plain numbers")
     bad = next((cell for cell, number in zip(cells, numbers) if number is None), None)
     if bad is not None:
-        raise refuse(where, head, f"'{printable(bad.strip(), 40)}' is not a number", "leave the unit out for a column of text values")
+        raise refuse(where, head, f"'{printable(bad.strip(), 40)}' is not a number", "omit the unit for a column of text values")
     unit = "" if unit in ("", "1") else unit
     try:
         shape = Variable(name, "values", unit, whole=all(_WHOLE.fullmatch(cell.strip()) for cell in cells))

@@ -30,7 +30,7 @@ def fit(path: Path) -> dict[str, Any]:
     except (OSError, ValueError, KeyError, TypeError, csv.Error) as error:
         raise FileTrouble(f"{path.name}: cannot be read as a fit ({error})") from None
     if sum(points for *_, points in counts) != len(rows) or any(len(row) != 1 + len(COLUMNS) for row in rows):
-        raise FileTrouble(f"{path.name}: residuals.csv does not hold the number of points stated in fit.json")
+        raise FileTrouble(f"{path.name}: residuals.csv does not contain the number of points stated in fit.json")
     targets, first = [], 0
     for label, name, points in counts:
         part = rows[first:first + points]

@@ -62,7 +62,7 @@ def _read(path: Path) -> tuple[list[str], list[list[str]]]:
     if len(lines) < 2 or len(lines[0]) > MOST_COLUMNS:
         raise FileTrouble(f"{path.name}: a table needs a header line, at least one line of values, and at most {MOST_COLUMNS} columns")
     if len(lines) > MOST_ROWS + 1:
-        raise FileTrouble(f"{path.name}: more than {MOST_ROWS} rows")
+        raise FileTrouble(f"{path.name}: more than {MOST_ROWS} rows; the explorer shows no larger table")
     return [head.strip() for head in lines[0]], lines[1:]
 
 

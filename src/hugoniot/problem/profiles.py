@@ -168,7 +168,7 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
         collector.add(path, f"cannot read '{printable(name)}': {printable(error.strerror or error, 120)}")
         return None
     if len(rows) < 3:
-        collector.add(path, "needs a line of headings and two lines of values", "such as: position [mm], velocity [m/s]")
+        collector.add(path, "needs a line of column headers and two lines of values or more", "such as: position [mm], velocity [m/s]")
         return None
     columns: dict[str, tuple[float, ...]] = {}
     for k, head in enumerate(rows[0]):

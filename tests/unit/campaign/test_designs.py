@@ -86,7 +86,7 @@ def test_samples_fill_the_ranges_and_come_again_with_their_seed():
     (["a.b = 0..1 : 32000", "c.d = 0..1 : 31250"], {}, "1 000 000 000 cases .32000 x 31250. are too many"),
     (["a.b = 0..1"], {}, "a grid needs the number of values"),
     (["a.b = 0..1 : 3", "a.b = 2..3 : 3"], {}, "varied twice"),
-    (["a.b = 0 +- 1"], {}, "a grid cannot hold a normal distribution"),
+    (["a.b = 0 +- 1"], {}, "a grid cannot contain a normal distribution"),
     (["a.b = 0..1"], {"kind": "sobol"}, "needs a number of cases"),
     (["a.b = 0..1"], {"kind": "sobol", "samples": 100}, "64 or 128"),
     (["a.b = 0..1"], {"kind": "lhs", "samples": 10**9}, "1 000 000 000 cases are too many"),

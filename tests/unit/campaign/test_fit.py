@@ -120,7 +120,7 @@ def test_what_the_data_do_not_determine_is_reported():
     p = problem(same, data, 0.01, ["a = 0..1", "b = 0..1"])
     assert any(doubt.startswith("b ") for doubt in weighed(p, [p.search(p.starts(None, 1, 0)[0])]).doubts)
     p = problem(line, line(TIMES, 1.2, 0.5), 0.01, ["a = 0..1", "b = 0.49..0.51"])
-    assert any("a lies at the end of its range" in doubt for doubt in weighed(p, [p.search(np.array([0.5, 0.5]))]).doubts)
+    assert any("a lies at a limit of its range" in doubt for doubt in weighed(p, [p.search(np.array([0.5, 0.5]))]).doubts)
 
 
 def test_no_run_that_succeeds_is_an_error():

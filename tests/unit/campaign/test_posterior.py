@@ -167,7 +167,7 @@ def test_a_short_walk_and_a_cut_range_are_reported(straight):
     assert "the chains were short" in doubts
     p = problem(line, data, 0.01, ["a = 0.3..1", "b = 0..1"])
     best = p.search(p.starts(None, 1, 0)[0])
-    assert any(doubt.startswith("the range of a truncates") for doubt in posterior_of(p, best, "surrogate").doubts)
+    assert any(doubt.startswith("the posterior of a is cut off") for doubt in posterior_of(p, best, "surrogate").doubts)
 
 
 # -- with runs -----------------------------------------------------------------------------------------------------------
@@ -217,7 +217,7 @@ def test_a_spall_strength_over_the_runs(deck, tmp_path, inline):
 
 
 @pytest.mark.parametrize("wishes, words", [
-    ({"posterior": "mcmc"}, "'mcmc' is unknown.*known: surrogate, runs"),
+    ({"posterior": "mcmc"}, "unknown kind of posterior 'mcmc'.*known: surrogate, runs"),
     ({"posterior": "runs", "posterior_runs": 3}, "too few runs for a posterior"),
     ({"posterior_runs": 300}, "no posterior is requested"),
 ])

@@ -236,7 +236,7 @@ def test_sweeps_can_stand_in_files(deck, tmp_path, inline):
     ({"vary": ["material.al.eos.c1 = 1..2 : 2"]}, "material.al.eos.c1: unknown"),
     ({"vary": ["stop_tme = 1..2 us : 2"]}, "not a key of the deck, and no tie uses it; did you mean 'stop_time'"),
     ({"vary": ["x = 1..2 : 2"]}, "not a key of the deck, and no tie uses it"),
-    ({"vary": ["x = 1..2 : 2"], "tie": ["region.flyer.zones = x * y"]}, "'y' is neither given by the deck"),
+    ({"vary": ["x = 1..2 : 2"], "tie": ["region.flyer.zones = x * y"]}, "'y' is neither a key of the deck nor varied"),
     ({"vary": ["x = 1..2 mm : 2"], "tie": ["region.flyer.velocity = x"]}, "expected a velocity"),
     ({"vary": ["x = 1..2 mm : 2"], "tie": ["region.flyer.to = x + region.flyer.velocity"]}, "different kinds"),
     ({"vary": [SPEEDS], "tie": ["region.flyer.velocity = 2 m/s"]}, "given twice"),

@@ -83,7 +83,7 @@ def test_a_fit_is_read_from_its_folder(tmp_path):
     (tmp_path / "spall.fit" / "posterior.csv").write_text("a [Pa],b [s]\n" + "".join(f"{5e9 + k},{1e-9 * k}\n" for k in range(9)))
     assert fits.fit(places.fit(0).path)["draws"] == [[5e9 + k for k in range(9)], [1e-9 * k for k in range(9)]]
     (tmp_path / "spall.fit" / "residuals.csv").write_text("target,time [s],data,model,sigma,residual\na,1,2,3,4,5\n")
-    with pytest.raises(FileTrouble, match="does not hold the number of points"):
+    with pytest.raises(FileTrouble, match="does not contain the number of points"):
         fits.fit(places.fit(0).path)
     (tmp_path / "spall.fit" / "fit.json").write_text("{")
     with pytest.raises(FileTrouble, match="cannot be read as a fit|fit.json: changed"):
