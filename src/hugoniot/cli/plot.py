@@ -155,7 +155,7 @@ def _of_the_plane(kind: str, plane: bool, line: str | None, layers: str | None) 
     """The options that only pictures of two dimensions have."""
     for option, text, wanted in (("--line", line, "profile"), ("--layers", layers, "map")):
         if text is not None and (kind != wanted or not plane):
-            raise DeckError.single("plot", None, option, f"this {kind} picture does not take it",
+            raise DeckError.single("plot", None, option, f"does not apply to this picture of kind '{kind}'",
                                    f"it applies to a {wanted} in two dimensions")
     options: dict[str, Any] = {}
     if line is not None:

@@ -35,7 +35,7 @@ def run_of_case(path: Path, row: int) -> Path:
     heads, rows = _read(path)
     folder = _runs(path, _columns(heads, rows), len(rows)).get(row)
     if folder is None:
-        raise FileTrouble(f"{path.name}: row {row + 1} has no run folder beside the table")
+        raise FileTrouble(f"{path.name}: row {row + 1} has no run folder beside the table; hugoniot sweep --keep keeps the runs")
     return folder
 
 

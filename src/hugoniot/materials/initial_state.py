@@ -155,7 +155,7 @@ def _state(eos, density, pressure_, temperature_, energy) -> tuple[float, float]
     rho0, e0 = reference_state(eos)
     given = sum(x is not None for x in (density, pressure_, temperature_, energy))
     if given > 2:
-        raise OutOfRange("at most two of density, pressure, temperature and energy fix a state")
+        raise OutOfRange("more than two of density, pressure, temperature and energy are given; give at most two")
     for name, value, unit in (("density", density, "kg/m3"), ("temperature", temperature_, "K")):
         if value is not None and not 0.0 < value < math.inf:
             raise OutOfRange(f"a {name} of {value:g} {unit} is not a valid state: give a positive value")

@@ -82,7 +82,7 @@ class Columns(Mapping):
                 attributes[name] = {k: data.attrs[k] for k in ("units", "long_name") if k in data.attrs}
                 dims[name] = (name,) if name in axes else axes_of(data, places)
         except (OSError, RuntimeError, AttributeError, ValueError, IndexError, KeyError) as error:
-            raise FileTrouble(f"{place}: cannot be read ({error})") from error
+            raise FileTrouble(f"{place}: damaged, cannot be read ({error})") from error
         return cls(open_file, place, group.name, shapes, kinds), attributes, dims
 
     @classmethod

@@ -87,7 +87,7 @@ def read_profile(table: ProfileTable | None, nodes: np.ndarray, collector: Colle
             collector.add((*path, "file"), "cannot be combined with other keys", "give the file, or positions and arrays, or expressions")
         profile = _of_file(table.file, collector, (*path, "file")) if collector.findings == before else None
     elif not given:
-        collector.add(path, "says nothing", "give velocity, density, pressure, temperature or energy")
+        collector.add(path, "is empty", "give velocity, density, pressure, temperature or energy")
         return None
     elif table.positions is not None:
         places = _numbers(table.positions, "m", collector, (*path, "positions"))

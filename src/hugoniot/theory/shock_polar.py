@@ -47,7 +47,7 @@ class Stream:
 
     def __post_init__(self):
         if not self.mach > 1.0:
-            raise OutOfRange(f"the stream is not supersonic: {self.speed:.6g} m/s is Mach {self.mach:.5g}; steady waves need more than 1")
+            raise OutOfRange(f"steady waves need a supersonic stream: {self.speed:.6g} m/s is Mach {self.mach:.5g}")
 
     @cached_property
     def mach(self) -> float:

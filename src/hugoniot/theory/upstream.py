@@ -41,8 +41,8 @@ class Initial:
         if density is not None and p0 > 0.0 and "gas" in EOS.of(par).flags:
             p0 = float(contract.pressure(float(density), e0, par))
         elif density is not None and density > rho0 * (1.0 + 1e-12):
-            raise OutOfRange(f"an initial density of {density:.6g} kg/m3 exceeds the {rho0:.6g} kg/m3 at rest, but pores can only lower "
-                             "it: start from a first shock, or give the law another rest density")
+            raise OutOfRange(f"an initial density of {density:.6g} kg/m3 exceeds the reference density of {rho0:.6g} kg/m3, but pores can "
+                             "only lower it: start from the state behind a first shock, or give the law another rho0")
         return cls(rho0 if density is None else float(density), p0, e0, velocity, heat)
 
     @classmethod

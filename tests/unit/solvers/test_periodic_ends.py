@@ -169,7 +169,7 @@ def test_a_profile_much_longer_than_its_region_is_doubted(tmp_path, last, doubte
     ('velocity = "0.1 m/s"', 'density = "1 kg/m^3"', "is given both in the region and in its profile"),
     ('velocity = "0.1 m/s"', 'pressure = "0.5 Pa - 1 Pa * x / 1 m"', "at 500 mm the profile gives 'gas' a state that it cannot have"),
     ('velocity = "0.1 m/s"', 'file = "nowhere.csv"', "cannot read"),
-    ('velocity = "0.1 m/s"', "", "says nothing"),
+    ('velocity = "0.1 m/s"', "", "profile: is empty"),
     ('integrator = "compatible"', 'kind = "fronts"', "fronts solver has no periodic ends"),
     ('integrator = "compatible"', 'kind = "fronts"', "starts from one state along a region"),
     ("[output]", '[transport.gas]\nconduction = {law = "constant", conductivity = 1.0}\n[output]', "conduction is not supported"),

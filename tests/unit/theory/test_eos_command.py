@@ -189,7 +189,7 @@ def test_few_rows_make_no_polygon_of_the_picture():
 
 
 @pytest.mark.parametrize(("arguments", "code", "words"), [
-    (("hugoniot", "copper", "--density", "9.5 g/cm^3"), 3, "exceeds the 8930 kg/m3 at rest"),
+    (("hugoniot", "copper", "--density", "9.5 g/cm^3"), 3, "exceeds the reference density of 8930 kg/m3"),
     (("isentrope", "copper", "--to", "-50 GPa"), 3, "pressure -5e+10 Pa is not reached"),
     (("match", "coper", "aluminum", "--velocity", "1 km/s"), 2, "copper"), (("hugoniot", "copper", "--at", "presure = 10 GPa"), 2, "did you mean 'pressure'"),
     (("hugoniot", "copper", "--at", "pressure = 10 km"), 2, "--at pressure"), (("hugoniot", "copper", "--at", "density = 40 g/cm^3"), 3, "ends at density"),

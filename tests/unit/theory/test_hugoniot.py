@@ -100,7 +100,7 @@ def test_a_gas_without_pores_keeps_its_law_at_another_density():
     thin = Initial.at_rest(gas, density=0.6)
     assert thin.pressure == pytest.approx(0.4 * 0.6 * thin.energy, rel=1e-15)
     assert residual(gas, thin, shock(gas, thin, particle_velocity=500.0)) < 1e-13
-    with pytest.raises(OutOfRange, match="exceeds the 8930 kg/m3 at rest"):
+    with pytest.raises(OutOfRange, match="exceeds the reference density of 8930 kg/m3"):
         Initial.at_rest(COPPER, density=9500.0)
 
 

@@ -170,7 +170,7 @@ def test_nested_explosives_against_a_search_for_the_fastest_path():
         outside = 2.0 + np.linalg.norm(point - [0.0, 5.0]) if direct > 3.0 else np.inf
         seen = outside if _clear(point, np.array([0.0, 5.0]), 3.0) else np.inf
         assert time == pytest.approx(min(centre, seen), rel=1e-7)
-    with pytest.raises(OutOfRange, match="before its own front"):
+    with pytest.raises(OutOfRange, match="before the front from its centre"):
         nested(points, 3.0, 2.0, 1.0, ((0.0, 3.2),), (0.0,))
 
 

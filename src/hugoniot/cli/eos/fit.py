@@ -83,7 +83,8 @@ def _doubts(up, us, fitted) -> list[str]:
         found.append(f"at up = 0 the curve gives us = {rest:.6g} m/s, which is not a possible sound speed: the curve cannot be used as "
                      "a law")
     elif not fitted(fitted.highest) > fitted.highest:
-        found.append(f"the curve's shock velocity is not above the particle velocity at up = {fitted.highest:.6g} m/s")
+        found.append(f"the curve's shock velocity is not above the particle velocity at up = {fitted.highest:.6g} m/s, which no "
+                     "shock can have")
     if len(fitted.coefficients) == 2 and not slope > 0.0:
         found.append(f"the shock velocity falls with the particle velocity (s = {slope:.4g}): such shocks are not stable")
     return found

@@ -71,7 +71,8 @@ def nested(points, radius: float = 3.0, inner_velocity: float = 2.0, outer_veloc
     for place, time in zip(detonators, times):
         gap = float(np.linalg.norm(place)) - radius
         if gap <= 0.0 or time + gap / outer_velocity < radius / inner_velocity:
-            raise OutOfRange(f"the detonator at {tuple(place)} lights the inner explosive before its own front; choose a later time")
+            raise OutOfRange(f"the front of the detonator at {tuple(place)} m reaches the inner explosive before the front from its "
+                             "centre does; choose a later time")
         best = np.where(r > radius, np.minimum(best, time + _shadowed(points, np.asarray(place, float), radius) / outer_velocity), best)
     return best
 
