@@ -71,7 +71,7 @@ def _require_shock(problem, name: str) -> None:
 
 def _tell(deck: Deck, warnings: list[str]) -> None:
     problem = deck.problem
-    typer.echo(f"{problem.title}: {getattr(problem, 'geometry', problem.solver.kind)}, to {format_si(problem.stop_time, 's')}")
+    typer.echo(f"{problem.title}: {getattr(problem, 'geometry', problem.solver.kind)}, until {format_si(problem.stop_time, 's')}")
     rows = []
     for region in getattr(problem, "regions", ()):
         extent = _block_extent(problem, region) if hasattr(region, "shape") else (

@@ -50,7 +50,7 @@ def command(
 
 def _write(path: Path, text: str, overwrite: bool) -> None:
     if path.exists() and not overwrite:
-        raise FileTrouble(f"{path} exists already; choose another with --out, or --overwrite it")
+        raise FileTrouble(f"{path} exists already; choose another with --out, or replace it with --overwrite")
     try:
         path.write_text(text, encoding="utf-8")
     except OSError as error:

@@ -83,7 +83,7 @@ def comparison(entries: Sequence[Entry], up_max: float | None = None) -> Compari
         raise DeckError.single("material compare", None, "names", "nothing to compare", "give a material, or several")
     for entry in entries:
         if "reacted" in EOS.of(entry.material.eos).flags and entry.unreacted is None:
-            raise DeckError.single("material compare", None, entry.name, "detonation products have no principal Hugoniot from rest",
+            raise DeckError.single("material compare", None, entry.name, "detonation products have no principal Hugoniot",
                                    "compare materials with an unreacted equation of state")
     top = up_max or _top(entries, [s for entry in entries for s in measured(entry.name)])
     states = tuple(s for entry in entries for s in measured(entry.name, 1.03 * top))

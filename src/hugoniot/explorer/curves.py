@@ -168,7 +168,7 @@ def state_of(name: str, by: str, value: float) -> dict[str, Any]:
         raise OutOfRange(f"a state is given by one of {', '.join(BY)}")
     material = inert_or_none(entry_of(name))
     if material is None:
-        raise OutOfRange(f"{name}: the library has only its detonation products, which have no Hugoniot from rest")
+        raise OutOfRange(f"{name}: the library has only its detonation products, which have no principal Hugoniot")
     ahead = Initial.at_rest(material)
     found = shock(material, ahead, **{by: value})
     return {"state": found.table(*_MORE), "ahead": {"density": ahead.density, "pressure": ahead.pressure},

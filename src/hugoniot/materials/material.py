@@ -34,7 +34,7 @@ PORES_REOPEN = ("the porous law of the unreacted explosive keeps no memory of cr
                 "the curve on which they closed; rely on the shocks that start the burning, not on the release behind them")
 
 NOT_AT_REST = ("the unreacted explosive starts at {:.4g} MPa, not at zero pressure: weak shocks and long runs will be wrong; use the law "
-               "jwl_unreacted, whose reference energy follows from p = 0, or correct e0")
+               "jwl_unreacted, whose reference energy follows from zero pressure, or correct e0")
 
 GRAINS_OVER_SERIES = ("the base of grain_contact is a truncated cold curve, which is too soft in the first shock: the powder is compacted "
                       "to its grains where the exact curve would not be; use mie_gruneisen_cold as its base")

@@ -52,7 +52,7 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
     if asked.reacted and asked.hugoniot is None:
         raise DeckError.single("command line", None, "--reacted", "applies to --hugoniot only", 'add --hugoniot "40 GPa"')
     if sum((asked.adiabat is not None, asked.hugoniot is not None, asked.series)) > 1:
-        raise DeckError.single("command line", None, "mixture", "--adiabat, --hugoniot and --series exclude each other", "give one of them")
+        raise DeckError.single("command line", None, "mixture", "--adiabat, --hugoniot and --series cannot be combined", "give one of them")
     subject = find_material(name)
     fractions = [_fraction(part) for part in asked.fractions.split(",")]
     kinds = [closure_of(kind) for kind in asked.closures] or ["thermal_isolation"] * asked.series or list(EQUILIBRIA)
@@ -84,7 +84,8 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
     for case, (title, table) in zip(cases, tables):
         energy = cell("specific_internal_energy", case.par.detonation_energy)
         rest = cell("specific_internal_energy", case.rest)
-        typer.echo(f"{title}, chemical energy {energy}, included in the internal energy (unreacted explosive at rest: {rest})")
+        typer.echo(f"{title}, chemical energy {energy}, included in the internal energy (reference state of the unreacted explosive: "
+                   f"{rest})")
         echo_columns({k: np.atleast_1d(table[k]) for k in SHOWN if table.get(k) is not None})
         typer.echo("")
     typer.echo("--json and --csv also give the states of both phases" + ("" if asked.hugoniot else " and the slopes of the pressure"))

@@ -72,7 +72,8 @@ class ShockStructure(NothingToAdd):
         for rho, j, total in self.ends.tolist():
             steepness = eos_laws.pressure_derivatives(rho, total / rho - 0.5 * (j / rho) ** 2, self.eos)[1] / rho
             if steepness > STEEPEST:
-                raise OutOfRange(f"solver {NAME} cannot treat law '{EOS.of(self.eos).name}': at rest the slope of its pressure against "
+                raise OutOfRange(f"solver {NAME} cannot treat law '{EOS.of(self.eos).name}': in the reference state the slope of its "
+                                 "pressure against "
                                  f"the energy has no bound (Grüneisen parameter {steepness:.3g}), and "
                                  f"a cell's energy is the small difference of "
                                  "total and kinetic energy; use mie_gruneisen, or the steady wave (hugoniot structure profile)")
