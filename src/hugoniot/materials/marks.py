@@ -79,6 +79,6 @@ def marks(row: Row) -> tuple[str, ...]:
     if (row.table == "jwl" and row["role"] == "unreacted") or (row.table == "ignition_growth" and "unreacted_a" in row):
         p = unreacted_pressure(row.id)
         if abs(p) > REST_LIMIT:
-            found.append(f"{name}: NOT AT REST: the published constants give {p / 1e6:.1f} MPa at V = 1 and 298 K; the energy of "
-                         "the reference state is chosen so that the pressure is zero")
+            found.append(f"{row.title} does not give zero pressure at the reference density: its published constants give {p / 1e6:.1f} "
+                         "MPa at V = 1 and 298 K; the law shifts the reference energy so that the pressure is zero")
     return tuple(found)

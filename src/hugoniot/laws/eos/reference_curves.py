@@ -32,7 +32,7 @@ def gamma_slope_of(form, gamma0, slope=math.nan):
         return gamma0
     if form == "linear":
         if not math.isfinite(slope):
-            raise OutOfRange("gamma_form = 'linear' needs gamma_slope, the constant b of Gamma = (gamma0 + b mu)/(1 + mu) with mu = "
+            raise OutOfRange("gamma_form = 'linear' needs gamma_slope, as in Gamma = (gamma0 + gamma_slope mu)/(1 + mu) with mu = "
                              "rho/rho0 - 1")
         return slope
     raise OutOfRange(f"unknown gamma_form '{form}'; known: rho_gamma_constant, constant, linear")
