@@ -127,7 +127,7 @@ def test_pictures(tmp_path, arguments):
     (("mixture", *LX17, "--burn-fraction", "1.5"), 2, "not a mass fraction"), (("mixture", *LX17, "--at", "density = 2 g/cm^3"), 2, "its density and its energy, pressure or temperature"),
     (("mixture", *LX17, "--at", "energy = 2 MJ/kg, pressure = 9 GPa"), 2, "density = 2.4 g/cm^3, pressure = 20 GPa"),
     (("mixture", *LX17, "--series", "--plot", "x.png"), 2, "table of coefficients"),
-    (("mixture", *LX17, "--closure", "burned_products"), 3, "no reactants"), (("mixture", *LX17, "--series", "--hugoniot", "9 GPa"), 2, "exclude each other"),
+    (("mixture", *LX17, "--closure", "burned_products"), 3, "no reactants"), (("mixture", *LX17, "--series", "--hugoniot", "9 GPa"), 2, "cannot be combined"),
     (("mixture", *LX17, "--hugoniot", "9 GPa"), 2, "give a higher pressure"), (("mixture", "lx_17", "--shocked", "pressure = -20 GPa"), 3, "pressure"),
     (("mixture", "lx_17", "--at", "density = 90 g/cm^3, energy = 3 MJ/kg"), 3, "mixture"), (("cj", "comp_b", "--ahead", "density = 1 kg"), 2, "--ahead density")])
 def test_bad_input_is_answered_with_the_way_out(arguments, code, words):

@@ -1,6 +1,7 @@
 """Any equation of state in both modes: a piston that starts and stops, and what laws that are not smooth, or bear little, ask for."""
 
 import dataclasses
+import math
 from types import MappingProxyType
 
 import pytest
@@ -40,7 +41,8 @@ def marched(problem):
 @pytest.mark.parametrize("side", [0, 1])
 def test_a_gas_leaves_a_piston_that_stops(side):
     """Cold products run behind it into vacuum; the wall goes on alone, and what ran away is conserved."""
-    solver = marched(pushed(EOS.get("jwl").example, "cells", side=side))
+    products = EOS.get("jwl").example._replace(specific_heat=math.nan)     # so cold that a temperature would be below absolute zero
+    solver = marched(pushed(products, "cells", side=side))
     assert solver.counts()["voids_opened"] == 1
     assert max(solver.errors().values()) < 1e-12
     _, kinds, _ = solver.front_table()

@@ -33,7 +33,7 @@ GAS = 'law = "ideal_gas"\ngamma = 1.4\nrho0 = 1.2\n'
     (SOLID, 50e3, "312 MJ/kg): its atoms are ionised there"), (GAS, 1e8, "its atoms are ionised there"),
     (SOLID.replace("2700.0", "8.19").replace("5200.0", "4.6"), 300.0, 'c0 = 4.6 m/s for a solid or liquid? A bare number is SI; write "4.6 km/s"'),
     (SOLID.replace("2700.0", "8.19"), 300.0, 'rho0 = 8.19 kg/m^3 for a solid or liquid? A bare number is SI; write "8.19 g/cm^3"'),
-    (SOLID.replace("s = 1.5", "s = 0.9").replace("5200.0", "2500.0"), 14e3, "that is beyond 5770 m/s, where its law compresses it more than 4 times"),
+    (SOLID.replace("s = 1.5", "s = 0.9").replace("5200.0", "2500.0"), 14e3, "that is beyond 5770 m/s, where its law gives a compression of more than 4"),
     (SOLID.replace("s = 1.5", "s = 148.9"), 300.0, "s = 148.9 for a solid or liquid? No known material comes near this: is the value right?"),
     (SOLID + '[material.own.strength]\nlaw = "perfectly_plastic"\nshear_modulus = 26.5\nyield_stress = "0.3 GPa"\n', 300.0, 'write "26.5 GPa"'),
     (SOLID, 300.0, "")])

@@ -293,15 +293,15 @@ def temperature_at_rest(par) -> float:
 
 def has_temperature(par) -> bool:
     """Whether the law gives a temperature with these parameters (its theory has one and the specific heat is known, and is not 0)."""
-    if not gives(par, "temperature") or _holds_no_heat(par):
+    if not gives(par, "temperature") or _lacks_specific_heat(par):
         return False
     rho, e = reference_state(par)
     return math.isfinite(temperature(rho, e, par))
 
 
-def _holds_no_heat(par) -> bool:
-    """Whether a specific heat of 0 is stated, in the law or in one inside it."""
-    return getattr(par, "specific_heat", 1.0) == 0.0 or any(_holds_no_heat(inner) for inner in par if EOS.knows(inner))
+def _lacks_specific_heat(par) -> bool:
+    """Whether a specific heat is not given, or given as 0, in the law or in one inside it."""
+    return not getattr(par, "specific_heat", 1.0) > 0.0 or any(_lacks_specific_heat(inner) for inner in par if EOS.knows(inner))
 
 
 def require_temperature(par) -> None:
