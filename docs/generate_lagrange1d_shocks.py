@@ -84,7 +84,7 @@ def fluids() -> list[str]:
     return [f"{IMPACT}, without strength; Courant number 0.7. The columns give the overshoot of the largest stress above the exact "
             "plateau, 0.5 mm from the impact face and in the first two zones of the target, and that of the largest velocity of the "
             "free surface above its final value: first with the defaults, then with a linear coefficient of 0.3. The last column is "
-            "the number of steps with the defaults over that with 0.3.", "",
+            "the number of steps with the defaults divided by that with 0.3.", "",
             *table(("impact", "stress at 0.5 mm", "stress in first two zones", "surface velocity", "with 0.3: stress at 0.5 mm",
                     "with 0.3: stress in first two zones", "with 0.3: surface velocity", "ratio of steps"), rows)]
 
