@@ -60,6 +60,7 @@ WORDS = {"density_l1": "L1 error of the density", "energy_l1": "L1 error of the 
          "length_beside_quads": "final length, relative difference from quadrilaterals",
          "foot_beside_quads": "radius of the foot, relative difference from quadrilaterals",
          "plastic_strain_beside_quads": "largest plastic strain, relative difference from quadrilaterals"}
+WORDS_OF_PLANE = {**WORDS, "peak_density": "largest density, mean over sectors"}
 
 
 def against(value, beaten: bool | None) -> str:
@@ -76,10 +77,12 @@ def section(found: dict, more: str = "") -> list[str]:
     """Heading and table of one problem; `more` follows its name."""
     problem = PROBLEMS[found["problem"]]
     momentum = found["momentum_error"]      # none in curved geometry, where walls and pressures take it up
-    closed = f"Energy conserved to {found['energy_error']:.0e}" + (f", momentum to {momentum:.0e}." if momentum is not None else ".")
+    closed = f"Energy conserved to {found['energy_error']:.0g}" + (f", momentum to {momentum:.0g}." if momentum is not None else ".")
     words = problem.description[0].upper() + problem.description[1:]
     lines = [f"### {problem.name}{more}", "", f"{words}. {closed}", ""]
-    limits = {"peer": "open codes", "goal": "goal"} if isinstance(problem, PlaneProblem) else {"ko": "KO", "g2": "G2", "goal": "goal"}
+    plane = isinstance(problem, PlaneProblem)
+    names = WORDS_OF_PLANE if plane else WORDS
+    limits = {"peer": "open codes", "goal": "goal"} if plane else {"ko": "KO", "g2": "G2", "goal": "goal"}
     limits = {key: head for key, head in limits.items() if any(row[key] is not None for row in found["measures"])}
     ordered = any(found["orders"].get(row["measure"]) is not None and row["sense"] == "below" for row in found["measures"])
     heads = ["measure", "zones", "value", *limits.values(), *(["order"] if ordered else [])]
@@ -89,7 +92,7 @@ def section(found: dict, more: str = "") -> list[str]:
     for row in sorted(found["measures"], key=lambda m: keys.index(m["measure"])):
         order = found["orders"].get(row["measure"])
         shown = f"{order:.2f}" if order is not None and row["measure"] != last and row["sense"] == "below" else ""
-        words = WORDS.get(row["measure"], row["measure"].replace("_", " ")) if row["measure"] != last else ""
+        words = names.get(row["measure"], row["measure"].replace("_", " ")) if row["measure"] != last else ""
         marks = [against(row[key], beats(row, key)) for key in limits]
         cells = [words, str(row["zones"]), f"{row['value']:.4g}", *marks, *([shown] if ordered else [])]
         lines.append("| " + " | ".join(cells) + " |")
