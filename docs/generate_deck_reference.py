@@ -21,8 +21,8 @@ INTRODUCTION = """\
 # Deck reference
 
 A deck is a text file in the [TOML](https://toml.io) format that describes one simulation: bodies, materials, boundaries, solver and
-output. This page lists every table and key that a deck may have. A stop time and one region are
-enough. This complete deck lets a copper plate strike an aluminium plate:
+output. This page lists every table and key that a deck may have. The shortest deck has a stop time and one region. In the following
+complete deck a copper plate strikes an aluminium plate:
 
 ```toml
 stop_time = "1 us"
@@ -50,13 +50,14 @@ decks to start from.
   A small table can also be written in braces: `{law = "constant", shear_viscosity = "1 mPa s"}`.
 * **Quantities.** A quantity is a text with a unit, such as `"3.94 km/s"`, `"2.7 g/cm^3"` or `"25 GPa"`. A bare number is in the SI unit
   given in the column "type". A number without a unit in that column is dimensionless.
-* **Defaults.** A key without an entry in the column "default" is optional and has no effect if omitted.
+* **Defaults.** A key without an entry in the column "default" is optional and has no effect if omitted, unless its meaning says when it is
+  required.
 * **Conditions.** Some meanings begin with a condition and a colon, such as "sector:" (a value of `shape`). The key then applies only under
   that condition.
 * **Errors.** Unknown keys, wrong units and contradictions are errors. All errors of a deck are reported together, each with its line.
 * **Solvers.** `kind` in `[solver]` chooses the solver. [`lagrange1d`](#decks-of-lagrange1d) is the default. The others,
-  [`fronts`](#decks-of-fronts), [`shock_structure`](#decks-of-shock_structure) and [`lagrange2d`](#decks-of-lagrange2d), have partly
-  different keys.
+  [`fronts`](#decks-of-fronts), [`shock_structure`](#decks-of-shock_structure) and [`lagrange2d`](#decks-of-lagrange2d), share only part of
+  its keys.
 * **Editors.** `hugoniot init --schema` writes a JSON Schema, with which text editors complete and check decks.
   `hugoniot check DECK --resolved` prints a deck with every default written out.
 * **Sweeps.** A table `[sweep]` is read by `hugoniot sweep` only; see [the guide](../campaigns.md).
@@ -64,8 +65,9 @@ decks to start from.
 MATERIALS = """\
 ## Materials
 
-A region or block names its material. A table `[material.NAME]` of the deck has precedence; otherwise the name, or an alias of it, is looked
-up in the library (`hugoniot material list`). A material needs an equation of state, or a `base`:
+A region or block names its material. A table `[material.NAME]` of the deck has precedence, and replaces the whole material of that name
+in the library; otherwise the name, or an alias of it, is looked up in the library (`hugoniot material list`). A material needs an equation
+of state, or a `base`:
 
 ```toml
 [material.al]                # replaces the fracture law of the library's aluminium, and one number of its strength law
@@ -107,8 +109,8 @@ Wherever a type includes "or pulse", the value is a quantity (constant from the 
 LAWS = """\
 ## Laws
 
-A law is chosen by `law = "..."` in its table. In the column "unit", "law" means that the parameter is itself an equation of state: a table,
-or the name of a material of the library. A parameter without a unit is dimensionless or a text.
+A law is chosen by `law = "..."` in its table. "law" in the column "unit" means that the parameter is itself an equation of state, given as
+a table or as the name of a material of the library. A parameter without a unit is dimensionless or a text.
 """
 NAMES = {"eos": ("Equations of state", "[material.NAME.eos]"), "strength": ("Strength laws", "[material.NAME.strength]"),
          "fracture": ("Fracture laws", "[material.NAME.fracture]"), "burn": ("Burn laws", "[material.NAME.burn]"),
@@ -146,6 +148,8 @@ def table(heads: list[str], rows: list[list[str]]) -> str:
 def kind_of(entry: dict) -> str:
     """What a key takes, in words."""
     parts = entry.get("anyOf", ())
+    if "$ref" in entry and '"none"' in entry.get("description", ""):
+        return 'table, or `"none"`'
     unit = entry.get("unit") or next((part["unit"] for part in parts if "unit" in part), None)
     if unit is not None:
         return _measured(entry, parts, unit)
@@ -343,7 +347,7 @@ def mixtures() -> str:
     rows = [[f"`{law.name}`", law.summary, f"[page](laws/mixture/{law.name}.md)"] for law in MIXTURE]
     return ("### Mixtures\n\nThe key `mixture` of `[material.NAME]` says how unreacted explosive and products share a zone while it "
         "burns.\n\n"
-            + table(["mixture", "meaning", ""], rows))
+            + table(["mixture", "meaning", "equations, example and sources"], rows))
 
 
 def reference() -> str:
@@ -353,10 +357,9 @@ def reference() -> str:
             *(solver_section(kind) for kind in others), LAWS]
     laws = {**families(), "viscosity": VISCOSITY, "transport": TRANSPORT, "conduction": CONDUCTION}
     text += [*(law_section(family, registry) for family, registry in laws.items()), mixtures()]
-    text.append("## Fields\n\nNames for `fields` in `[output]` and for the command `hugoniot plot`. A solver has those that its "
-        "geometry and its "
-                "materials give. In the column \"at\", zone means one value per zone, and node one value per corner of a zone (in "
-        "one dimension, per boundary).\n\n"
+    text.append("## Fields\n\nNames for `fields` in `[output]` and for the command `hugoniot plot`. Which of them a run has depends on "
+                "its solver, geometry and materials. In the column \"at\", zone means one value per zone, and node one value per corner of a "
+                "zone (in one dimension, per zone boundary).\n\n"
                 + table(["field", "symbol", "unit", "at", "meaning"],
                         [[f"`{f.name}`", f.symbol, "" if f.unit == "1" else f.unit, f.place, f.long_name] for f in FIELDS.values()]))
     rows = [[f"`{p.name}`", p.summary] for p in catalogue.problems()]

@@ -83,8 +83,8 @@ def _laws(kind: str, name: str, as_json: bool) -> None:
         raise DeckError.single("list", None, kind, f"unknown {kind} law '{name[:40]}'", nearest(name, registry.names()))
     law = registry.get(name)
     names, required = accepted(law)
-    rows = [{"parameter": n, "unit": law.units.get(n, "1"), "default": "" if n in required else _default(law, n),
-             "meaning": law.meaning.get(n, "")} for n in names]
+    rows = [{"parameter": n, "unit": law.units.get(n, "1"), "default": "required" if n in required else _default(law, n),
+             "meaning": law.meaning.get(n, "").replace("`", "")} for n in names]
     if as_json:
         echo_json({"law": law.name, "summary": law.summary, "parameters": rows, "references": list(law.references)})
         return

@@ -27,7 +27,7 @@ class PulseTable(Table):
 
 
 class HistoryTable(Table):
-    """Values over time: linear between the times; constant before the first and after the last."""
+    """Values as a function of time: linear between the times, constant before the first and after the last."""
 
     times: list[Any] = Field(description="times, increasing")
     values: list[Any] = Field(description="as many values as times")

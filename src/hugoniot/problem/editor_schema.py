@@ -30,7 +30,8 @@ def json_schema(kind: str = "lagrange1d") -> dict:
         material["properties"][family] = {"$ref": f"#/$defs/{family}_law", "description": _FAMILIES.get(family, f"{family} law")}
     number = {"anyOf": [{"type": "number"}, {"type": "string"}]}
     material["properties"] |= {
-        "unreacted": {"$ref": "#/$defs/eos_law", "description": "equation of state of an explosive before it burns"},
+        "unreacted": {"$ref": "#/$defs/eos_law", "description": "equation of state of an explosive before it burns, "
+                      "[material.NAME.unreacted]"},
         "mixture": {"enum": MIXTURE.names(), "description":
                     "how unreacted explosive and products share a zone while it burns (default: chosen by the burn law)"},
         "detonation_energy": number | {"unit": "J/kg", "description":
@@ -41,7 +42,8 @@ def json_schema(kind: str = "lagrange1d") -> dict:
         "valid_up_to": number | {"unit": "m/s", "description":
                                  "highest particle velocity of the data behind the equation of state; shown by hugoniot check and "
         "in reports"},
-        "sources": {"type": "array", "description": "where the numbers come from: texts, or tables with source and further keys"},
+        "sources": {"type": "array", "description": "where the numbers come from: texts, or tables with source and, if known, quantity, "
+                    "value, unit, via, status and note"},
         "warnings": {"type": "array", "items": {"type": "string"}, "description": "texts that a run with this material prints"}}
     definitions["viscosity_law"] = law_schema(VISCOSITY)
     definitions["material"] = material

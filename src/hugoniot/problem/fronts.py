@@ -46,12 +46,12 @@ class OptionsTable(Table):
         "planar, without profiles, burning or pulses other than constant and square; cells: a moving mesh between the fronts, second "
         "order, for curved geometry, profiles, pulses and burning too")
     fan_step: Annotated[float, Quantity("1", above=0.0, limit=1.0)] = Field(
-        0.1, description="a rarefaction fan that another wave reaches is divided into slices (mode algebraic), and a fan starts with "
-        "cells (mode cells), each with a velocity step of this times the sound speed")
+        0.1, description="velocity step, divided by the sound speed, of each slice into which a rarefaction fan is divided when another "
+        "wave reaches it (mode algebraic), or of each cell with which a fan starts (mode cells)")
     weakest: Annotated[float, Quantity("1", least=0.0, limit=0.1)] | None = Field(
-        None, description="waves weaker than this are not followed; the strength of a wave is its change of stress divided by rho c^2. "
-        "Mode cells, without profiles, uses a tenth of the strongest initial wave if that wave is weaker than this but stronger than a "
-        "tenth of this (default: 1e-6; mode cells: 0.01)")
+        None, description="strength of the weakest waves that are followed; the strength of a wave is its change of stress divided by "
+        "rho c^2. In mode cells without profiles, if the strongest initial wave is weaker than this by less than a factor of ten, a "
+        "tenth of its strength replaces this value (default: 1e-6; mode cells: 0.01)")
     burn_step: Annotated[float, Quantity("1", least=0.0, limit=1.0)] = Field(
         0.15, description="mode cells: largest change of the burn fraction in a cell while sound crosses it (an eighth of this next to "
         "a tracked shock); cells that burn faster are halved, up to five times, and joined again afterwards; 0: cells are never halved")
@@ -74,7 +74,7 @@ class Model(Table):
     """The solver `fronts` follows shocks, fans and contacts in one dimension as sharp fronts, without artificial viscosity.
 
     Use it for reference solutions. Fracture laws and periodic ends are not supported, and `perfectly_plastic` is the only strength law.
-    The zones of a region say where fields are read; with mode cells they also set the fineness of the mesh.
+    The fields of the results are given in the zones of the regions; with mode cells the zones also set the fineness of the mesh.
     """
 
     title: str = Field("", max_length=200, description="title of the report and plots (default: the deck's file name)")

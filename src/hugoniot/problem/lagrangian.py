@@ -163,8 +163,8 @@ class SolverTable(Table):
     integrator: Literal["compatible", "wilkins"] = Field(
         "compatible", description="compatible: conserves total energy to round-off; wilkins: the classical leapfrog scheme of Wilkins")
     courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(
-        None, description="Courant number of the time step (default: 0.5, or 0.7 where every material is a solid or liquid, none burns "
-        "and no viscosity is given; wilkins: 2/3)")
+        None, description="Courant number of the time step (default: 0.5, or 0.7 if all materials are inert solids or liquids and no "
+        "viscosity is given; wilkins: 2/3)")
     growth: Annotated[float, Quantity("1", least=1.0, limit=10.0)] = Field(
         1.1, description="largest ratio of a time step to the one before")
     initial_step: Positive | None = Field(None, description="first time step (default: from the Courant condition)")

@@ -78,8 +78,8 @@ class EndTables(Table):
 class Model(Table):
     """The solver `shock_structure` computes the flow of one viscous, heat-conducting fluid through a fixed planar mesh.
 
-    Use it to resolve the inside of a shock. The regions must touch, be of one material and have zones of one width. Strength and
-    fracture are not supported, and there are no gauges.
+    Use it to resolve the internal structure of a shock. The regions must touch, be of one material and have zones of equal width. Strength
+    and fracture are not supported, and there are no gauges.
     """
 
     title: str = Field("", max_length=200, description="title of the report and plots (default: the deck's file name)")

@@ -47,8 +47,8 @@ class BodyForceTable(Table):
     acceleration: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s^2"})] = Field(
         description="acceleration, positive towards larger positions; constant, or a pulse or table of times")
     exponent: Annotated[float, Quantity("1", limit=10.0)] | None = Field(
-        None, description="curved geometry, where it is required: power n of the field acceleration (r/radius)^n; -2 is a point mass, "
-        "1 is rotation")
+        None, description="curved geometry, where it is required: power n of the field acceleration (r/radius)^n; -2 for a point mass, "
+        "1 for rotation")
     radius: Annotated[float, Quantity("m", above=0.0)] | None = Field(
         None, description="curved geometry, where it is required: radius at which the field equals acceleration")
 
@@ -64,7 +64,7 @@ class HeatSourceTable(Table):
         None, description="power per mass, multiplied by weights if given; constant, or a pulse or table of times; give either this or "
         "intensity")
     intensity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "W/m^2"})] = Field(
-        None, description="power per area that enters the region through its face on side; constant, or a pulse or table of times; "
+        None, description="power per area that enters the region through the face named by side; constant, or a pulse or table of times; "
         "give either this or power")
     side: Literal["left", "right"] = Field("left", description="face of the region from which depths are measured")
     absorption_length: Annotated[float, Quantity("m", above=0.0)] | None = Field(
@@ -72,11 +72,15 @@ class HeatSourceTable(Table):
     depths: Annotated[Any, BeforeValidator(_depths), WithJsonSchema({"type": "array", "unit": "m"})] = Field(
         None, description="depths below the face at t = 0, increasing, at which weights are given; linear in between, zero outside")
     weights: Annotated[Any, BeforeValidator(_weights), WithJsonSchema({"type": "array", "items": {"type": "number"}})] = Field(
-        None, description="one number per depth: with power a factor of it, with intensity the relative energy per mass")
+        None, description="one number per depth: with power the factor that multiplies it, with intensity the relative energy per "
+        "mass")
 
 
 class MaterialTransportTable(Table):
-    """Physical viscosity and heat conduction of MATERIAL, a material that a region uses and that does not burn. By default neither."""
+    """Physical viscosity and heat conduction of MATERIAL, a material that a region uses and that does not burn.
+
+    A material without such a table has neither.
+    """
 
     viscosity: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="shear viscosity, a table {law = \"...\", ...} (hugoniot "
         "list transport) (default: none)")

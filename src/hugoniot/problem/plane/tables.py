@@ -176,9 +176,10 @@ class BlockTable(Table):
 class BoundaryTable(Table):
     """What happens at sides of blocks that are not joined. A side without an entry is free, or the axis if it lies on r = 0."""
 
-    on: Chains = Field(description="a side such as \"BLOCK.left\", or an array of sides; of a side joined in part, the rest of it")
+    on: Chains = Field(description="a side such as \"BLOCK.left\", or an array of sides; where part of a side is joined to "
+        "another block, the condition applies to the rest")
     kind: Literal["free", "wall", "axis", "velocity", "pressure", "transmitting"] = Field(
-        description="free: no stress; wall: rigid and straight, at any angle; axis: r = 0; velocity or pressure: prescribed over time; "
+        description="free: no stress; wall: rigid and straight, at any angle; axis: r = 0; velocity or pressure: prescribed; "
         "transmitting: waves leave almost without reflection")
     velocity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s"})] = Field(
         None, description="kind velocity, required: speed along direction; constant, or a pulse or table of times")
@@ -186,7 +187,7 @@ class BoundaryTable(Table):
         None, description="kind pressure, required: pressure on the moving surface; constant, or a pulse or table of times")
     direction: Direction | None = Field(
         None, description="kind velocity: vector along which the side moves (default: the inward normal at each node)")
-    slip: bool | None = Field(None, description="kind wall or velocity: whether nodes may slide along the side; if false, their other "
+    slip: bool | None = Field(None, description="kind wall or kind velocity: whether nodes may slide along the side; if false, their other "
         "velocity component is 0 (default: true)")
     separable: bool | None = Field(
         None, description="kind wall: whether material may leave the wall and return; if false, the wall supports tension; true "
@@ -260,8 +261,8 @@ class ViscosityTable(Table):
     """Artificial viscosity. Linear coefficients weight the sound speed, quadratic ones the velocity jump."""
 
     kind: Literal["tensor", "edge", "herrmann"] = Field(
-        "tensor", description="tensor: acts along both principal directions of the strain rate, each with its own length; edge: acts "
-        "along the edges that shorten; herrmann: acts on bulk and deviators along the coordinate axes, for comparison")
+        "tensor", description="tensor: acts along both principal directions of the strain rate, with the width of the zone in each; "
+        "edge: acts along the edges that shorten; herrmann: acts on bulk and deviators along the coordinate axes, for comparison")
     limited: bool = Field(Viscosity2D.limited, description="whether a limiter removes the viscosity in smooth flow; kind herrmann has "
         "none and needs limited = false")
     linear: Plain = Field(Viscosity2D.linear, description="linear coefficient of materials without strength that do not burn")
@@ -269,7 +270,7 @@ class ViscosityTable(Table):
     solid_linear: Plain = Field(Viscosity2D.solid_linear, description="linear coefficient of materials with strength where they are "
         "compressed; not with kind herrmann")
     solid_shear: Plain = Field(Viscosity2D.solid_shear, description="linear coefficient of materials with strength where they flow at "
-        "constant volume; with kind herrmann everywhere")
+        "constant volume (with kind herrmann, in all motion)")
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")
     explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of materials that burn; not used "
         "where the burn law is programmed alone")
