@@ -358,8 +358,8 @@ def reference() -> str:
     laws = {**families(), "viscosity": VISCOSITY, "transport": TRANSPORT, "conduction": CONDUCTION}
     text += [*(law_section(family, registry) for family, registry in laws.items()), mixtures()]
     text.append("## Fields\n\nNames for `fields` in `[output]` and for the command `hugoniot plot`. Which of them a run has depends on "
-                "its solver, geometry and materials. In the column \"at\", zone means one value per zone, and node one value per corner of a "
-                "zone (in one dimension, per zone boundary).\n\n"
+                "its solver, geometry and materials. In the column \"at\", zone means one value per zone, and node one value per corner of "
+                "a zone (in one dimension, per zone boundary).\n\n"
                 + table(["field", "symbol", "unit", "at", "meaning"],
                         [[f"`{f.name}`", f.symbol, "" if f.unit == "1" else f.unit, f.place, f.long_name] for f in FIELDS.values()]))
     rows = [[f"`{p.name}`", p.summary] for p in catalogue.problems()]

@@ -13,7 +13,7 @@ class HugoniotError(Exception):
 class DeckProblem:
     """One mistake in a deck.
 
-    file, line   where it is; line is None if it cannot be said
+    file, line   where it is; line is None if it is not known
     key          the key, with dots, such as region.flyer.to
     message      what is wrong
     hint         how it can be corrected, or ""
@@ -63,8 +63,8 @@ class DeckError(HugoniotError):
 class UnphysicalState(HugoniotError):
     """A run reached a state that no material can have.
 
-    cause, remedy   sentences
-    zone, region    where, as number of the zone and name of its region
+    cause, remedy   what is wrong, and what to try; sentences, remedy may be ""
+    zone, region    number of the zone, and name of its region
     position, time, cycle   position (m), time (s) and number of the time step
     values          fields of the zone, in SI
     """

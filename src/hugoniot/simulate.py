@@ -64,11 +64,12 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
 
     deck_or_problem   path of a deck, a `Deck` that `read_deck` returned, or a `Problem`
     out         run folder to write (default: the deck's name, or the problem's title, with `.run`, in the current folder)
-    deck_text   text of the deck that is kept in the run folder (default: that of the deck)
+    deck_text   of a `Problem` only: text to keep as deck.toml (default: its deck, with every default written out)
     progress    object with a method `update(report)` that is called while the run advances, or None
     overwrite   whether a run that is already in the folder is replaced
     report      whether report.html is written, or a function that writes it into the folder of a finished run
-    overrides   keys of the deck to change: stop_time="3 us", solver={"courant": 0.3}; only with the path of a deck
+    overrides   with the path of a deck: keys to change, stop_time="3 us", solver={"courant": 0.3}; with a `Problem`: fields to replace,
+                numbers in SI; not with a `Deck`
 
     Raises `DeckError` for a deck that cannot be used, `UnphysicalState` if the run fails (the folder then holds the last state, in
     post_mortem.h5), and `FileTrouble` if the folder cannot be written.

@@ -69,13 +69,13 @@ def fit(deck: str | os.PathLike, to: Sequence[str] | str, free: Mapping[str, str
         out: Any = None, workers: int | None = None, materials: Sequence = (), **options):
     """Find constants of a deck from measured records, and return an xarray Dataset of the fitted parameters.
 
-    The variables over (parameter) are `value`, `sigma` (standard deviation), `low` and `high` (limits of the 95 % interval), in SI, the
-    SI `unit`, and `correlation` over (parameter, other). The attributes hold the reduced chi-square, whether the model `matches`
-    the records, the text `doubts`, which should be read before a value is used, and the fitted `deck`.
+    For each `parameter` the Dataset has `value`, `sigma` (standard deviation), `low` and `high` (limits of the 95 % interval), in SI, and
+    the SI `unit`; `correlation` has the dimensions (parameter, other). The attributes hold `reduced_chi_square`, whether the model
+    `matches` the records (1 or 0), the text `doubts`, which should be read before a value is used, and the fitted `deck`.
 
     deck        path of the deck
     to          files of measured records (.csv), or numbers such as "free surface.arrival = 0.69 +- 0.01 us"
-    free        constants to find and their ranges: {"material.ta.fracture.strength": "1..8 GPa"}, or texts
+    free        constants to find and their ranges: {"material.al.fracture.strength": "0.5..3 GPa"}, or texts
     tie         keys that follow from others, as for `sweep`
     out         folder to write (default: the deck's name with .fit); False writes nothing
     workers     number of processes (default: one per processor)
@@ -88,7 +88,7 @@ def fit(deck: str | os.PathLike, to: Sequence[str] | str, free: Mapping[str, str
 
     Raises `DeckError`, `FileTrouble` and `NoSolution`.
 
-    >>> found = hugoniot.fit("spall.toml", "visar.csv", {"material.ta.fracture.strength": "1..8 GPa"}, shift="20 ns")
+    >>> found = hugoniot.fit("flyer.toml", "visar.csv", {"material.al.fracture.strength": "0.5..3 GPa"}, shift="20 ns")
     """
     import xarray
 

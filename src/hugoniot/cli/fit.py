@@ -10,7 +10,7 @@ from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
 from hugoniot.units import format_si
 
 _TO = 'Measured record or Pop plot (.csv), or a measured number such as "free surface.arrival = 0.69 +- 0.01 us"; repeatable.'
-_FREE = 'Constant to find and its range, such as "material.ta.fracture.strength = 1..8 GPa"; repeatable.'
+_FREE = 'Constant to find and its range, such as "material.al.fracture.strength = 0.5..3 GPa"; repeatable.'
 
 
 def command(
@@ -52,7 +52,7 @@ def command(
     The folder DECK.fit receives fitted.toml (the deck with the fitted values, ready to run), fit.json, residuals.csv and report.html. A
     record that the model cannot match is reported: read the notes before you use a value.
 
-    Example: hugoniot fit spall.toml --to visar.csv --free "material.ta.fracture.strength = 1..8 GPa" --shift "20 ns"
+    Example: hugoniot fit flyer.toml --to visar.csv --free "material.al.fracture.strength = 0.5..3 GPa" --shift "20 ns"
     """
     from hugoniot.campaign.fit_files import record_of
     from hugoniot.campaign.run_fit import FitWishes, run_fit

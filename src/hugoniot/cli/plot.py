@@ -43,15 +43,15 @@ def command(
     """Draw a picture of a run: by default its wave diagram or, in two dimensions, a map of the pressure.
 
     \b
-    xt            wave diagram: a field over position and time (one dimension)
-    map           a field over the plane at one time (two dimensions)
-    profile       a field over position, or along a line, at one time
-    gauge         a field at the gauges over time
+    xt            wave diagram: a field against position and time (one dimension)
+    map           a field in the plane at one time (two dimensions)
+    profile       a field against position, or along a line, at one time
+    gauge         a field at the gauges against time
     free_surface  free-surface velocity with its pull-back (one dimension)
     pi_plane      stress deviators at the gauges, with the yield surface
     peaks         extreme value in each zone (one dimension)
-    budget        parts of the energy over time
-    errors        errors of mass, momentum and energy over time
+    budget        parts of the energy against time
+    errors        errors of mass, momentum and energy against time
     setup         the bodies at t = 0, to scale
 
     Examples: hugoniot plot flyer.run xt pressure --out wave.png; hugoniot plot taylor.run map plastic_strain --time "40 us"

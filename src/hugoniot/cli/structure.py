@@ -11,7 +11,7 @@ from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.files import toml_tables
 
 app = typer.Typer(no_args_is_help=True, help=(
-    "Compute the steady inside of a shock, which viscosity and heat conduction resolve, without time steps.\n\n"
+    "Compute the steady internal structure of a shock, to which viscosity and heat conduction give a width, without time steps.\n\n"
     "WHAT is a deck of the solver shock_structure, a case of Jordan (2011), or a material of the library (then give --viscosity). "
         "The cases are argon-jordan, water_387, water_858, silica_100, silica_250 and silica_770.\n\n"
     "Example: hugoniot structure profile argon-jordan --mach 9 --plot mach9.png"))
@@ -47,7 +47,7 @@ def profile(
     """Compute the profile of one shock.
 
     Prints its thickness, widths, entropy, entropy production and end states. Give one of --mach, --particle-velocity and
-    --shock-velocity, unless the deck or case has a strength of its own.
+    --shock-velocity, unless the deck or case states the strength of the shock.
 
     Example: hugoniot structure profile water_858 --json
     """
@@ -88,7 +88,7 @@ def sweep(
     density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None, unit: UNIT = "chapman_enskog",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """Compute shock thickness over Mach number.
+    """Compute shock thickness as a function of Mach number.
 
     Prints the reciprocal thickness: for a gas the mean free path divided by the thickness, for anything else in 1/nm.
 

@@ -24,9 +24,9 @@ def command(
         'region.flyer.to"; repeatable.')] = None,
     design: Annotated[str, typer.Option("--design", help="Choice of cases: grid, sobol, lhs, saltelli, morris, or a table of cases "
         "(.csv).")] = "grid",
-    samples: Annotated[int | None, typer.Option("--samples", "-n", help="Number of cases of a random design; with saltelli and "
-        "morris, number of base cases.")] = None,
-    seed: Annotated[int, typer.Option("--seed", help="Seed of the random numbers of a design.")] = 0,
+    samples: Annotated[int | None, typer.Option("--samples", "-n", help="Number of cases of a sample; with saltelli, of base cases; "
+        "with morris, of paths.")] = None,
+    seed: Annotated[int, typer.Option("--seed", help="Seed of the random numbers; another seed gives another sample.")] = 0,
     match: Annotated[str | None, typer.Option("--match", help="Vary an impedance match of these materials instead of a deck: "
         "FLYER,TARGET[,...].")] = None,
     output: Annotated[list[str] | None, typer.Option("--output", help='Results to tabulate, such as "*.arrival" (default: all); '
@@ -52,8 +52,8 @@ def command(
     """Run a deck many times with some of its keys varied, and collect the results in one table.
 
     The folder DECK.sweep receives cases.csv, sweep.h5 (a netCDF file, with the parameters as coordinates) and report.html. Finished cases
-    are not run again: the same command continues after an interruption, or extends a sweep whose values have been added to. A case that
-    fails has the reason in its row.
+    are not run again: the same command continues after an interruption, or extends a sweep to which values were added. The row of a case
+    that fails gives the reason.
 
     \b
     --vary takes one of these forms:
@@ -61,7 +61,7 @@ def command(
       KEY = LOW..HIGH UNIT : COUNT log  values in equal ratios
       KEY = 1, 2, 5 GPa                 the values listed
       KEY = "copper", "aluminum"        the texts listed
-      KEY = MEAN +- SIGMA UNIT          normal distribution, for samples
+      KEY = MEAN +- SIGMA UNIT          a normal distribution, for sampled designs
 
     \b
     --design takes one of these names:
@@ -71,8 +71,9 @@ def command(
       saltelli  Sobol' sensitivity indices, with confidence intervals
       morris    screening of many parameters
 
-    --uncertain library varies the constants of library materials by their uncertainties (covariances of fits, or the spread between
-    sources), and draws bands at the gauges. A name that is not a key of the deck can be varied too, for use in --tie.
+    --uncertain library varies the constants of library materials within their uncertainties (covariances of fits, or the spread
+    between sources), and gives bands of the records at the gauges. A name that is not a key of the deck can be varied too, for use in
+    --tie.
 
     Example: hugoniot sweep flyer.toml --vary "region.flyer.velocity = 300..1200 m/s : 10"
     """

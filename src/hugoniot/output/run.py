@@ -201,7 +201,7 @@ class Run:
         return self._table(group)[0]
 
     def unit(self, group: str, name: str) -> str:
-        """SI unit of a column of a group as text, "" for numbers without one. Raises KeyError with the known columns for an unknown one."""
+        """SI unit of a column of a group, "" if dimensionless. Raises KeyError, which lists the known columns, for an unknown one."""
         attributes = self._table(group)[1]
         if name not in attributes:
             raise KeyError(f"no column '{name}' in {group}; it has: {', '.join(attributes)}")
@@ -223,27 +223,30 @@ class Run:
 
     @cached_property
     def gauges(self):
-        """Records of the gauges: a Dataset over (time, gauge)."""
+        """Records of the gauges: a Dataset with the dimensions (time, gauge)."""
         return self.dataset("gauges")
 
     @cached_property
     def snapshots(self):
-        """Fields of the zones: a Dataset over (time, zone) with the region, the centre at t = 0 and the mass of each zone."""
+        """Fields of the zones: a Dataset with the dimensions (time, zone), with the region, the centre at t = 0 and the mass of each zone.
+
+        In two dimensions also fields of the nodes, with the dimensions (time, node).
+        """
         return self.dataset("snapshots")
 
     @cached_property
     def budget(self):
-        """Energies and momentum: a Dataset over (time) or (time, region)."""
+        """Energies and momentum: a Dataset with the dimensions (time) or (time, region)."""
         return self.dataset("budget")
 
     @cached_property
     def peaks(self):
-        """Extreme values that each zone reached: a Dataset over (zone)."""
+        """Extreme values that each zone reached: a Dataset with the dimension (zone)."""
         return self.dataset("peaks")
 
     @cached_property
     def events(self):
-        """Events, such as voids opened: a Dataset over (event) with time, cycle, kind, text and numbers (as JSON)."""
+        """Events, such as voids opened: a Dataset with the dimension (event), holding time, cycle, kind, text and numbers (as JSON)."""
         return self.dataset("events")
 
     def gauge_names(self) -> list[str]:
@@ -261,7 +264,8 @@ class Run:
         field   name of a field, such as "velocity" or "stress"
         name    name of the gauge (default: the first one)
 
-        Raises KeyError with the known names for an unknown gauge or field.
+        Raises KeyError, which lists the known names, for an unknown gauge or field, and for a field that differs on the two sides of the
+        interface of a gauge (use NAME left or NAME right).
 
         >>> time, stress = run.gauge("stress", "2 mm into target")
         """

@@ -110,7 +110,11 @@ def read_tables(raw: dict, text: str, name: str, overrides: dict[str, Any] | Non
 
 
 def write_deck(problem: Any, kind: str | None = None) -> str:
-    """Text of a deck that describes a problem, with every default written out, in SI. Reading it gives an equal problem."""
+    """Text of a deck that describes a problem, with every default written out, in SI. Reading it gives an equal problem.
+
+    problem   a `Problem`
+    kind      name of the solver (default: that of the problem)
+    """
     kind = kind or problem.solver.kind
     return "# Written by hugoniot: every default is written out, every number is SI.\n" + to_toml(solver_module(kind).write(problem))
 

@@ -1,7 +1,7 @@
 """A one-dimensional simulation described by Python objects, which cannot be changed after they are made. All numbers are in SI.
 
-`read_deck` makes a `Problem` from a deck, and `hugoniot.run` runs one. The meaning of each value is that of the key of the same name in the
-deck reference, which also says how values exclude each other. `write_deck` turns a problem into a deck that gives the same results.
+`read_deck` makes a `Problem` from a deck, and `hugoniot.run` runs one. Each value means the same as the corresponding key in the deck
+reference, which also says which values exclude each other. `write_deck` turns a problem into a deck that gives the same results.
 """
 
 from dataclasses import dataclass, field

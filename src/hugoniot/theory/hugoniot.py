@@ -25,11 +25,11 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, once:
     """States behind a shock that runs into a given state.
 
     material    a `Material`, or the parameters of an equation of state
-    initial     the state ahead (default: the reference state, at rest)
+    initial     the state ahead: an `Initial`, such as `Initial.of(states)` (default: the reference state, at rest)
     given       exactly one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an array;
                 velocities are those in the laboratory
     direction   +1: the shock runs towards +x; -1: towards -x
-    once        True saves the compilation, which takes seconds, if only one curve of up to ten thousand states is needed
+    once        True: do not compile, which takes seconds, for fewer than ten thousand states; for a script that needs one curve only
 
     Returns `States` of the shape of the number or array given. Raises `OutOfRange` with the limit if a state is outside the range of the
     law, and `NoSolution` if none is found.

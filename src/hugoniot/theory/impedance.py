@@ -104,10 +104,11 @@ def ring_up(layers: Sequence, velocity: float, *, layer: int = 1, bounces: int =
 
 
 def free_surface(material, state: States, *, to: float = 0.0) -> States:
-    """The state at a free surface after a shock has reached it: the isentropic release to the pressure `to` (Pa).
+    """The state at a free surface after a shock has reached it, by isentropic release.
 
     material   a `Material`, or the parameters of an equation of state
     state      the state behind the shock
+    to         final pressure, Pa
 
     Returns `States`.
     """

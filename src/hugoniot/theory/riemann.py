@@ -36,9 +36,10 @@ FEEBLE = 1e-6     # strain up to which a shock is found as an isentrope
 class Wave:
     """The wave on one side.
 
-    kind            shock, fan or none
-    ahead, behind   states on either side of the wave
+    kind            "shock", "fan" or "none"
+    ahead, behind   `States` ahead of the wave and behind it
     head, tail      velocities of its edges in the laboratory frame, m/s (equal for a shock)
+    direction       -1: the wave runs into the material on the left; +1: into that on the right
     """
 
     kind: str
@@ -53,12 +54,11 @@ class Wave:
 class Riemann:
     """Solution of a Riemann problem: a wave to each side, and between them a contact or a vacuum.
 
-    left, right          the waves
-    pressure, velocity   at the contact, Pa and m/s; with a vacuum see `left` and `right` instead
+    left, right          the `Wave` on each side
+    pressure, velocity   at the contact, Pa and m/s; with a vacuum 0 and NaN
     vacuum               whether the materials have separated
 
-    Called with positions x (m, from the initial interface) and a time t (s) it returns a dict of arrays: density, pressure, velocity and
-    energy in SI, and `side` (-1 left, 0 vacuum, +1 right).
+    Called with positions x and a time t it returns density, pressure, velocity and specific internal energy there.
     """
 
     left: Wave
@@ -68,7 +68,14 @@ class Riemann:
     vacuum: bool
 
     def __call__(self, x, t=1.0) -> dict:
-        """The fields at positions x (m) and time t (s, above 0)."""
+        """The fields as a dict: `density`, `pressure`, `velocity` and `energy` (specific internal) in SI, and `side`.
+
+        x   positions from the initial interface, m: a number or an array, whose shape the fields have
+        t   time, s, above 0
+
+        `side` is -1 in the material on the left, +1 in that on the right, and 0 in a vacuum, where density and pressure are 0, and
+        velocity and energy are NaN.
+        """
         if not t > 0.0:
             raise OutOfRange(f"a Riemann solution needs a time above 0 s, got {t}")
         speed = np.asarray(x, float) / t

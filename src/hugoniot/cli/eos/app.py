@@ -27,7 +27,7 @@ app = typer.Typer(no_args_is_help=True, help=(
 def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None) -> None:
     """Show a law, its parameters and a state.
 
-    The state is the reference state of the law or, with --at, a state on its Hugoniot.
+    The state is the reference state or, with --at, a state on its Hugoniot.
 
     Example: hugoniot eos show copper --at "pressure = 10 GPa"
     """
@@ -72,8 +72,8 @@ def isentrope(
 ) -> None:
     """Compute an isentrope or a release.
 
-    With --at the isentrope runs from that state of the Hugoniot down to the pressure of the reference state, without it from the
-    reference state up to a pressure.
+    With --at the isentrope runs from that state of the Hugoniot down to the pressure --to. Without --at it runs from the reference
+    state up to that pressure.
 
     For detonation products it starts at the CJ state unless --at gives another. Particle velocities are those behind a release wave
     that runs back into the material, as from a free surface.
@@ -159,8 +159,8 @@ app.command()(sesame)
 
 @app.command()
 def fit(
-    points: Annotated[str, typer.Argument(metavar="POINTS", help="A CSV file with columns up and us, or a material whose measured "
-        "points are in the library.")],
+    points: Annotated[str, typer.Argument(metavar="POINTS", help="A CSV file with columns such as up [km/s], us [km/s], or a material "
+        "whose measured points are in the library.")],
     quadratic: Annotated[bool, typer.Option("--quadratic", help="Fit Us = c0 + s up + s2 up^2 instead of a line.")] = False,
     least: Annotated[str | None, typer.Option("--from", help="Ignore points below this particle velocity.")] = None,
     highest: Annotated[str | None, typer.Option("--to", help="Ignore points above this particle velocity.")] = None,
@@ -193,7 +193,8 @@ def fit(
 
 @app.command("fit-jwl")
 def fit_jwl(
-    curve: Annotated[str, typer.Argument(metavar="CURVE", help="A CSV file of the expansion: columns volume (V = v/v0) and pressure.")],
+    curve: Annotated[str, typer.Argument(metavar="CURVE", help="A CSV file of the expansion with the columns volume (V = v/v0) and "
+        "pressure [GPa].")],
     density: Annotated[str, typer.Option("--density", help='Density of the explosive, such as "1.717 g/cm^3".')],
     velocity: Annotated[str, typer.Option("--velocity", help='Detonation velocity, such as "7.98 km/s".')],
     pressure: Annotated[str, typer.Option("--pressure", help='CJ pressure, such as "29.5 GPa".')],
@@ -204,9 +205,10 @@ def fit_jwl(
 ) -> None:
     """Fit JWL constants to an expansion curve.
 
-    The CJ state given by the options is reproduced exactly, and the points of the curve below it in the sense of least squares.
+    The isentrope goes exactly through the CJ state given by the options. The points below that state are fitted by least squares.
 
-    Example: hugoniot eos fit-jwl cylinder.csv --density "1.717 g/cm^3" --velocity "7.98 km/s" --pressure "29.5 GPa" --energy "8.5 GPa"
+    Example: hugoniot eos fit-jwl cylinder.csv --density "1.717 g/cm^3" --velocity "7.98 km/s" --pressure "29.5 GPa" --energy "8.5
+    GJ/m^3"
     """
     from hugoniot.cli.eos import fit as eos_fit
 
@@ -244,7 +246,7 @@ def table(
 ) -> None:
     """Tabulate an equation of state.
 
-    Writes pressure and energy over density and temperature, for codes that read tables.
+    Writes pressure and energy as functions of density and temperature, for codes that read tables.
 
     In a deck, [material.NAME.eos] with law = "table" and file = "copper.csv" uses the file.
 

@@ -13,7 +13,8 @@ def second_shock(
         "modulus, curvature of the Hugoniot, Gamma).")] = "",
     a: Annotated[str | None, typer.Option("--a", help='Constant a (default without MATERIAL: "0.73 Mbar").')] = None,
     b: Annotated[str | None, typer.Option("--b", help='Constant b (default without MATERIAL: "1.72 Mbar").')] = None,
-    c: Annotated[float | None, typer.Option("--c", help="Constant c, dimensionless; the source prints 1.60 Mbar.")] = None,
+    c: Annotated[float | None, typer.Option("--c", help="Constant c, dimensionless (default without MATERIAL: 1.60, "
+        "which the source prints as 1.60 Mbar).")] = None,
     first: Annotated[float, typer.Option("--first", help="Compression mu = rho/rho0 - 1 behind the first shock.")] = 0.1,
     mu: Annotated[str, typer.Option("--mu", help='Compressions mu of the table, such as "0.15, 0.2, 0.25" (default: 11 values up to '
         '2.5 times --first).')] = "",
