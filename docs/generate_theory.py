@@ -122,10 +122,16 @@ def rows_of(docstring: str | None) -> tuple[list[str], dict[str, str]]:
 
 
 def words(docstring: str | None) -> str:
-    """A docstring as Markdown: lines `name   meaning`, with what is indented below them, become a list."""
+    """A docstring as Markdown: lines `name   meaning`, with what is indented below them, become a list, and examples code."""
     out: list[str] = []
-    listed = False
-    for line in inspect.cleandoc(docstring or "").splitlines():
+    listed = coded = False
+    for line in inspect.cleandoc(docstring or "").splitlines() + [""]:
+        if coded != line.startswith(">>> "):
+            coded = not coded
+            out.append("```pycon" if coded else "```")
+        if coded:
+            out.append(line)
+            continue
         row = _ROW.match(line) if "$" not in line.split("  ")[0] and not line.startswith(("*", "|", "$")) else None
         if row:
             out += [] if listed else [""]

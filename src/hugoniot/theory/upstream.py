@@ -13,7 +13,7 @@ from hugoniot.theory.states import States, density_at, density_range, law_of
 class Initial:
     """The state ahead of a shock.
 
-    density    kg/m3; below the density of the solid for distended material (its pores are empty, its energy is the solid's)
+    density    kg/m3; below the density of the solid for a porous material (its pores are empty, its energy is that of the solid)
     pressure, energy, velocity   Pa, J/kg, m/s
     heat       energy released in the shock, J/kg (a detonation; 0: inert)
     """
