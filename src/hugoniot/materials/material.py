@@ -17,7 +17,8 @@ class Source:
     value, unit   as in the source
     source        the publication
     via           the file or collection through which it was obtained, or ""
-    status        "verified", "corrected", "derived", "recalled" (quoted from memory, not checked against the source) or "user"
+    status        "verified" (read in a public file), "corrected" (as verified, with an error of the file corrected), "derived" (computed
+                  by hugoniot), "recalled" (quoted from memory, not checked against the source) or "user" (of your own material)
     note          remarks, or ""
     """
 
