@@ -61,8 +61,8 @@ def _derived(material: Material, unreacted: Any) -> dict[str, Quantity]:
     rho, e = reference_state(material.eos)
     c2 = sound_speed_squared(rho, e, material.eos)
     bulk = rho * c2
-    found["bulk_sound_speed"] = Quantity(math.sqrt(c2), "m/s", "sqrt(K/rho)")
-    found["bulk_modulus"] = Quantity(bulk, "Pa", "rho c^2 with the bulk sound speed c")
+    found["bulk_sound_speed"] = Quantity(math.sqrt(c2), "m/s", "from the equation of state")
+    found["bulk_modulus"] = Quantity(bulk, "Pa", "rho c^2, c the bulk sound speed")
     found["gruneisen"] = Quantity(gruneisen(rho, e, material.eos), "1", "from the equation of state")
     if material.strength is not None and "fluid" not in STRENGTH.of(material.strength).flags:
         found |= _elastic(material, rho, e, bulk)
@@ -74,7 +74,7 @@ def _elastic(material: Material, rho: float, e: float, bulk: float) -> dict[str,
     g = shear_modulus(rho, p, warm, bulk, material.strength)
     y = flow_stress(rho, p, warm, 0.0, 1.0, material.strength)
     found = {"shear_modulus": Quantity(g, "Pa", "from the strength law"),
-             "yield_stress": Quantity(y, "Pa", "from the strength law, at zero plastic strain and a strain rate of 1 per second")}
+             "yield_stress": Quantity(y, "Pa", f"from the strength law{_first_yield(material.strength)}")}
     if g > 0.0:
         longitudinal = math.sqrt((bulk + 4.0 / 3.0 * g) / rho)
         found["longitudinal_sound_speed"] = Quantity(longitudinal, "m/s", "sqrt((K + 4G/3)/rho)")
@@ -83,6 +83,17 @@ def _elastic(material: Material, rho: float, e: float, bulk: float) -> dict[str,
         found["hugoniot_elastic_limit"] = Quantity(limit, "Pa", "Y (K/G + 4/3)/2 (Herrmann, WL-TR-64-107)")
         found["hel_particle_velocity"] = Quantity(limit / (rho * longitudinal), "m/s", "HEL/(rho c_L), c_L the longitudinal sound speed")
     return found
+
+
+def _first_yield(strength: Any) -> str:
+    """At which plastic strain and strain rate the yield stress is given, as far as the law depends on them."""
+    flags = STRENGTH.of(strength).flags
+    strain = "zero plastic strain" if "hardens" in flags else ""
+    if getattr(strength, "initial_strain", 0.0) > 0.0:
+        strain = "zero plastic strain beyond the initial strain"
+    rate = "a strain rate of 1 per second" if "needs_rate" in flags else ""
+    at = " and ".join(t for t in (strain, rate) if t)
+    return f", at {at}" if at else ""
 
 
 def sound_speeds(material: Material, rho: float, e: float) -> dict[str, float]:

@@ -109,10 +109,12 @@ def differences(about: dict) -> str:
         found.append(f"They describe the fitted law, whose data begin at a particle velocity of {about['data_begin']:g} m/s; the material "
                      "itself has other sound speeds and elastic constants at low pressure.")
     if about["laws"].get("strength") == "steinberg_guinan" and "shear_modulus" in about["derived"]:
-        stated = next((c["value"] for c in about["constants"] if c["quantity"] == "strength.shear_modulus"), math.nan)
-        if abs(about["derived"]["shear_modulus"]["value"] / stated - 1.0) > 1e-6:
-            found.append("The shear modulus and yield stress differ slightly from the constants of the strength law, because those are "
-                         f"for 300 K and these for {about['reference']['temperature']:g} K.")
+        stated = {c["quantity"]: c["value"] for c in about["constants"]}
+        if abs(about["derived"]["shear_modulus"]["value"] / stated["strength.shear_modulus"] - 1.0) > 1e-6:
+            found.append("The constants of the strength law are for 300 K, the shear modulus and yield stress below for "
+                         f"{about['reference']['temperature']:g} K.")
+        if strain := stated.get("strength.initial_strain"):
+            found.append(f"The yield stress includes the hardening by the initial strain of {strain:g}.")
     return " ".join(found)
 
 

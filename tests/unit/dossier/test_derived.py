@@ -137,6 +137,23 @@ def test_derived_constants_of_a_law_fitted_beyond_a_transition_are_called_so(nam
     assert (f"data begin at a particle velocity of {begins or 0:g} m/s" in differences(about)) == (begins is not None)
 
 
+def test_the_yield_stress_says_which_strain_and_rate_it_is_for():
+    """The 0.80 GPa of uranium are twice the constant of its law: they include the hardening by the initial strain."""
+    for entry in library.find_all():
+        about = described(entry)
+        if "yield_stress" not in about["derived"]:
+            continue
+        stated = {c["quantity"]: c["value"] for c in about["constants"]}
+        strain = stated.get("strength.initial_strain", 0.0)
+        ratio = about["derived"]["yield_stress"]["value"] / stated["strength.yield_stress"]
+        how, said = about["derived"]["yield_stress"]["meaning"], differences(about)
+        assert ("initial strain" in how) == ("initial strain" in said) == (strain > 0.0)
+        assert ("strain rate" in how) == (about["laws"]["strength"] == "johnson_cook")
+        if "300 K" in said and not strain:
+            assert 1.0 < ratio < 1.01
+    assert differences(described(library.entry("uranium"))).endswith("by the initial strain of 0.0375.")
+
+
 def test_alpha_iron_is_not_the_iron_above_its_transition():
     with pytest.raises(DeckError, match="alpha iron"):
         library.find("alpha iron")
