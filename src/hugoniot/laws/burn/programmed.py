@@ -82,7 +82,7 @@ def build_programmed_beta(detonation_velocity, rho0, rho_cj, spread_zones=2.5):
 
 
 _UNITS = {"detonation_velocity": "m/s", "spread_zones": "1", "rho0": "kg/m^3", "rho_cj": "kg/m^3"}
-_MEANING = {"detonation_velocity": "speed of the programmed front", "spread_zones": "B_s, number of zones over which the front is spread",
+_MEANING = {"detonation_velocity": "speed of the programmed front", "spread_zones": "number of zones over which the front is spread",
             "rho0": "reference density of the explosive", "rho_cj": "density of the CJ state"}
 _SOURCE = ("Herrmann, WL-TR-64-107 (1964), A.27 to A.30",)
 _BOX = {"rho": (1000.0, 3000.0)}

@@ -1,4 +1,4 @@
-r"""Mie-Grüneisen equation of state on a linear shock Hugoniot Us = c0 + s up: the standard law for shocked solids and liquids.
+r"""Mie-Grüneisen equation of state with the Hugoniot Us = c0 + s up as reference curve: the standard law for shocked solids and liquids.
 
 $$p = p_R(\eta) + \rho_0\Gamma_0\,[e - e_R(\eta)], \qquad \eta = 1 - \rho_0/\rho$$
 
@@ -161,7 +161,7 @@ EOS.add(
              "specific_heat": "specific heat at constant volume, needed for temperatures",
              "reference_temperature": "temperature of the reference state",
              "gamma_form": "form of the Grüneisen parameter: `rho_gamma_constant`, `constant`, or `linear` with `gamma_slope`",
-             "gamma_slope": "slope of the Grüneisen parameter Gamma = (gamma0 + gamma_slope mu)/(1 + mu), mu = rho/rho0 - 1"},
+             "gamma_slope": "slope of rho Gamma/rho0 against mu = rho/rho0 - 1: Gamma = (gamma0 + gamma_slope mu)/(1 + mu)"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15, "gamma_form": "rho_gamma_constant", "gamma_slope": math.nan},
     box={"rho": (2100.0, 6500.0), "e": (0.0, 2e7)},
     references=("Starkenberg, ARL-TR-2161, A-6.2, A-11", "Herrmann, WL-TR-64-107, C.5, C.6, C.12", "Jordan 2011, eq. 5.1.4 to 5.1.10"),

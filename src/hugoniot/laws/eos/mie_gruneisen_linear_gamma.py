@@ -1,4 +1,4 @@
-r"""Mie-Grüneisen equation of state on a linear shock Hugoniot, with a Grüneisen parameter that varies with compression.
+r"""Mie-Grüneisen equation of state with a linear shock Hugoniot as reference curve and a Grüneisen parameter that varies with compression.
 
 Use it instead of `mie_gruneisen` where $\rho\Gamma$ is not constant, which matters far from the Hugoniot: in porous or reshocked
 material.
@@ -147,7 +147,7 @@ EOS.add(
            "reference_temperature": "K"},
     meaning={"rho0": "reference density", "c0": "shock velocity at zero particle velocity", "s": "slope of the Hugoniot, dUs/dup",
              "gamma0": "Grüneisen parameter at the reference density",
-             "gamma_slope": "slope of the Grüneisen parameter Gamma = (gamma0 + gamma_slope mu)/(1 + mu), mu = rho/rho0 - 1",
+             "gamma_slope": "slope of rho Gamma/rho0 against mu = rho/rho0 - 1: Gamma = (gamma0 + gamma_slope mu)/(1 + mu)",
              "specific_heat": "specific heat at constant volume, needed for temperatures",
              "reference_temperature": "temperature of the reference state"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15},

@@ -1,4 +1,4 @@
-r"""Mie-Grüneisen equation of state on a quadratic shock Hugoniot Us = c0 + s1 up + s2 up^2.
+r"""Mie-Grüneisen equation of state with the Hugoniot Us = c0 + s1 up + s2 up^2 as reference curve.
 
 Use it for materials whose measured $U_s$-$u_p$ relation is curved. With $u_p = \eta U_s$, $\eta = 1 - \rho_0/\rho$, the fit is a
 quadratic equation for $U_s$; the root that starts from $c_0$ is

@@ -41,7 +41,7 @@ def gamma_slope_of(form, gamma0, slope=math.nan):
 GAMMA_UNITS = {"gamma0": "1", "gamma_slope": "1", "specific_heat": "J/kg/K", "reference_temperature": "K", "gamma_form": "text"}
 GAMMA_MEANING = {
     "gamma0": "Grüneisen parameter at the reference density",
-    "gamma_slope": "slope of the Grüneisen parameter Gamma = (gamma0 + gamma_slope mu)/(1 + mu), mu = rho/rho0 - 1",
+    "gamma_slope": "slope of rho Gamma/rho0 against mu = rho/rho0 - 1: Gamma = (gamma0 + gamma_slope mu)/(1 + mu)",
     "specific_heat": "specific heat at constant volume, needed for temperatures",
     "reference_temperature": "temperature of the reference state",
     "gamma_form": "form of the Grüneisen parameter: `rho_gamma_constant`, `constant`, or `linear` with `gamma_slope`",

@@ -1,4 +1,4 @@
-r"""Steinberg-Guinan: shear modulus and flow stress of metals at high strain rates, with pressure, temperature and melting.
+r"""Steinberg-Guinan: shear modulus and flow stress of metals at high strain rates as functions of pressure and temperature, with melting.
 
 $$G = G_0\,\varphi, \qquad Y = \min\left\{Y_0\,[1 + \beta(\varepsilon_p + \varepsilon_i)]^n,\; Y_{\max}\right\}\varphi, \qquad
   \varphi = 1 + A\,p\,\eta^{-1/3} - B\,(T - 300\,\mathrm{K})$$
@@ -76,10 +76,10 @@ STRENGTH.add(
              "yield_stress": "flow stress in uniaxial stress at first yield, zero pressure and 300 K",
              "hardening_coefficient": "beta, coefficient of strain hardening", "hardening_exponent": "n, exponent of strain hardening",
              "largest_yield_stress": "upper limit of the hardened flow stress at zero pressure and 300 K",
-             "pressure_coefficient": "A, pressure derivative of the shear modulus over the shear modulus",
-             "temperature_coefficient": "B, decrease of the shear modulus per kelvin over the shear modulus",
+             "pressure_coefficient": "A, pressure derivative of the shear modulus, divided by the shear modulus",
+             "temperature_coefficient": "B, relative decrease of the shear modulus per kelvin",
              "melt_temperature": "melting temperature at the reference density", "melt_gruneisen": "Grüneisen parameter of the melting law",
-             "melt_a": "a, volume coefficient of the Grüneisen parameter in the melting law",
+             "melt_a": "a, coefficient of volume in the Grüneisen parameter of the melting law",
              "initial_strain": "equivalent plastic strain before loading",
              "melt_shear_fraction": "fraction of the shear modulus that remains in the melt"},
     defaults={"initial_strain": 0.0, "melt_shear_fraction": 0.0},
