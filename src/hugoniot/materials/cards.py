@@ -69,7 +69,7 @@ def estimated_gamma(row: Row) -> Source:
     """
     value = max(2.0 * row["s"] - 1.0, 0.1)
     return Source("gamma0", value, "1", "estimated as 2 s - 1 (Dugdale and MacDonald), not measured", "", "derived",
-                  f"row {row.id} gives no Grüneisen parameter")
+                  f"row {row.id}: estimated, because the row gives no Grüneisen parameter")
 
 
 def specific_heat(row: Row, gamma0: float, c0: float) -> Source:
@@ -81,7 +81,8 @@ def specific_heat(row: Row, gamma0: float, c0: float) -> Source:
     if row.table == "us_up" and row.get("heat_type") != "cp":
         return given
     value = given.value / (1.0 + gamma0 * gamma0 * given.value * ROOM_TEMPERATURE / (c0 * c0))
-    note = f"c_v from the tabulated c_p = {given.value:g} J/kg/K at {ROOM_TEMPERATURE} K; {given.note}"
+    note = f"row {row.id}: converted from c_p = {given.value:g} J/kg/K, tabulated for {ROOM_TEMPERATURE} K"
+    note += f"; {row.note}" if row.note else ""
     return replace(given, value=value, status="derived", note=note)
 
 
@@ -112,7 +113,7 @@ def _johnson_cook(row: Row) -> Card:
             found[parameter] = row.constant(column, parameter)
     if "room_temperature" not in found:
         found["room_temperature"] = Source("room_temperature", ROOM_TEMPERATURE, "K", "room temperature, assumed by hugoniot",
-                                           status="derived", note=f"row {row.id} states none; {ROOM_TEMPERATURE} K assumed")
+                                           status="derived", note=f"row {row.id}: assumed, because the row states none")
     return found
 
 
@@ -128,8 +129,8 @@ def _jwl(row: Row) -> Card:
     if "e0" in row:
         found["e0"] = row.constant("e0")
     elif "e0_from_isentrope" in row:
-        note = f"row {row.id} gives C of the principal isentrope; E0 follows from CJ tangency on it"
-        found["e0"] = replace(row.constant("e0_from_isentrope", "e0"), status="derived", note=note)
+        note = f"row {row.id}: computed from the isentrope; the row gives its constant C, and E0 follows from CJ tangency"
+        found["e0"] = replace(row.constant("e0_from_isentrope", "e0"), status="derived", note=f"{note}; {row.note}" if row.note else note)
     else:
         raise ValueError(f"row {row.id} gives no detonation energy E0")
     return found
@@ -153,9 +154,9 @@ def _unreacted(row: Row, prefix: str, heat_column: str) -> Card:
         found[name] = row.constant(f"{prefix}{name}", name)
     heat = row.constant(heat_column, "specific_heat")
     found["specific_heat"] = replace(heat, value=heat.value / row["rho0"], unit="J/kg/K")
-    note = f"row {row.id}: the temperature of its calibration at rest, where the law has zero pressure"
-    found["reference_temperature"] = replace(heat, quantity="reference_temperature", value=REST_TEMPERATURE, unit="K", status="derived",
-                                             note=note)
+    found["reference_temperature"] = Source(
+        "reference_temperature", REST_TEMPERATURE, "K", "assumed: the temperature at which calibrations of unreacted explosives "
+        "are meant to have zero pressure", "", "derived", f"row {row.id}: assumed, because the row states none")
     return found
 
 
@@ -185,7 +186,8 @@ def _rate(row: Row) -> Card:
 def _gas(row: Row) -> Card:
     """Ideal gas: R = R_u/M, c_v = R/(gamma - 1), density at the stated pressure and the temperature the law has at rest."""
     gas_constant = row["gas_constant"] if "gas_constant" in row else UNIVERSAL_GAS_CONSTANT / row["molar_mass"]
-    note = f"row {row.id}: from its molar mass or gas constant, at {row['pressure']:g} Pa and {ROOM_TEMPERATURE} K"
+    given = "gas constant" if "gas_constant" in row else "molar mass"
+    note = f"row {row.id}: computed from the {given}, for {row['pressure']:g} Pa and {ROOM_TEMPERATURE} K"
     derived = replace(row.constant("molar_mass"), status="derived", note=note)
     heat, rho0 = gas_constant / (row["gamma"] - 1.0), row["pressure"] / (gas_constant * ROOM_TEMPERATURE)
     return {"law": "ideal_gas", "gamma": row.constant("gamma"),

@@ -1,5 +1,7 @@
 """Every constant a run used, with its source and mark, as plain rows for reports and tables."""
 
+import re
+
 from hugoniot.core.registry import Registry
 from hugoniot.materials.material import Material, Source
 from hugoniot.materials.schema import UNVERIFIED
@@ -7,12 +9,16 @@ from hugoniot.materials.tables import families, law_table
 
 MARKS = {"recalled": UNVERIFIED, "user": "user's own value", "corrected": "error in the file corrected", "derived": "computed by hugoniot",
          "default": "default value"}
+# how a derived constant was found: what its note says first, after its row
+_FOUND = re.compile(r"row [A-Z]\d{3}: ((?:assumed|calibrated by|computed from|converted from|estimated|fitted by|highest of|mean of|set by|"
+                    r"taken over from)[^;:,]*|assumed|estimated)")
 
 
 def mark(status: str, note: str = "") -> str:
     """The word a surface shows beside a constant: empty for a verified one without doubt."""
     doubt = "doubtful" if "DOUBT" in note else "sources disagree" if "DISAGREES" in note else ""
-    return ", ".join(m for m in (MARKS.get(status, ""), doubt) if m)
+    said = _FOUND.match(note) if status == "derived" else None
+    return ", ".join(m for m in (said.group(1) if said else MARKS.get(status, ""), doubt) if m)
 
 
 def material_record(material: Material) -> list[dict]:

@@ -64,13 +64,39 @@ class Row:
             status = "derived"
         elif name in _OF_STATES and (found := self.range_from()):
             source, via, status = found, "us_up_points.csv" if "states" in self else "", "derived"
+        found = self._found(name) if status == "derived" else ""
         return Source(quantity or name, self.values[name], self.units[name], source, via, status,
-                      "; ".join(t for t in (f"row {self.id}", self.note) if t))
+                      "; ".join(t for t in (f"row {self.id}" + (f": {found}" if found else ""), self.note) if t))
+
+    def _found(self, name: str) -> str:
+        """How a derived number of a Us-up row or of a calibrated rate was found, in words; empty where its source or its name says it."""
+        if self.table == "ignition_growth":
+            return self._calibrated(name)
+        if self.table != "us_up":
+            return ""
+        if name in _OF_STATES:
+            return "highest of the measured states" if name == "up_max" and "states" in self else ""
+        if name == "rho0":
+            another = re.search(r"\brow U\d{3}", self.via)
+            return f"taken over from {another.group()}" if another else "mean of the measured states"
+        return "fitted by hugoniot"
+
+    def _calibrated(self, name: str) -> str:
+        """The note of a set that `hugoniot fit-rate` made names the constants that were adjusted; the rest is that of rows it names."""
+        adjusted = re.match(r"(\w+) and (\w+) adjusted", self.note)
+        if adjusted and name in [{"g1": "growth1", "g2": "growth2"}.get(n, n) for n in adjusted.groups()]:
+            return "calibrated by hugoniot"
+        of_states = name in ("rho0", "e0") or name.startswith(("unreacted_", "products_"))
+        for identity in re.findall(r"\bG\d{3}\b", self.via if of_states else f"{self.note} {self.via}"):
+            another = row(identity)
+            if another.get(name) == self[name]:
+                return f"taken over from row {identity}" + (f" ({UNVERIFIED})" if another.status == "recalled" else "")
+        return "set by hugoniot"
 
     def range_from(self) -> str:
         """Where the range of a Us-up row comes from if not from its own source: measured states, or what its note says; else empty."""
         if "states" in self:
-            return f"range of the {self['states']:g} measured states that the library has for row {self.id}"
+            return f"range of the {self['states']:g} measured states of the library that row {self.id} is compared with"
         said = re.search(r"\brange: (the (?:highest|range)[^;]*)", self.note)
         return said.group(1) if said else ""
 

@@ -46,23 +46,23 @@ def _gamma_and_heat(row: Row) -> tuple[Source, Source | None]:
     """Gamma and c_v, as far as the row determines them."""
     if "debye_temperature" in row:
         value = 3.0 * row["atoms"] * GAS_CONSTANT / row["molar_mass"] * debye(row["debye_temperature"] / REST)
-        note = f"row {row.id}: Debye's c_v at {REST} K"
+        note = f"row {row.id}: computed from the Debye temperature, for {REST} K"
         return row.constant("gamma0"), _derived(row, "debye_temperature", "specific_heat", value, "J/kg/K", note)
     if "expansivity" in row:
         isobaric = row["expansivity"] * row["bulk_modulus"] / (row["rho0"] * row["heat_capacity"])  # Gamma c_v/c_p
         value = isobaric / (1.0 - isobaric * row["expansivity"] * REST)
         heat = row["heat_capacity"] / (1.0 + row["expansivity"] * value * REST)
-        note = f"row {row.id}: from its expansivity, bulk modulus, density and heat capacity c_p at {REST} K"
+        note = f"row {row.id}: computed from expansivity and c_p, with the bulk modulus and the density, for {REST} K"
         gamma = _derived(row, "expansivity", "gamma0", value, "1", note)
         return gamma, _derived(row, "heat_capacity", "specific_heat", heat, "J/kg/K", note)
     value = max(0.5 * (row["bulk_modulus_slope"] - 1.0), 0.1)
-    note = f"row {row.id} gives no Grüneisen parameter: estimated as (K' - 1)/2 (Dugdale and MacDonald), not measured"
+    note = f"row {row.id}: estimated as (K' - 1)/2 (Dugdale and MacDonald), because the row gives no Grüneisen parameter"
     gamma = _derived(row, "bulk_modulus_slope", "gamma0", value, "1", note)
     if "heat_capacity" not in row:
         return gamma, None
     cp = row["heat_capacity"]
     cv = 2.0 * cp / (1.0 + math.sqrt(1.0 + 4.0 * value * value * row["rho0"] * cp * REST / row["bulk_modulus"]))
-    return gamma, _derived(row, "heat_capacity", "specific_heat", cv, "J/kg/K", f"row {row.id}: c_v from the tabulated c_p = {cp:g} J/kg/K")
+    return gamma, _derived(row, "heat_capacity", "specific_heat", cv, "J/kg/K", f"row {row.id}: converted from c_p = {cp:g} J/kg/K")
 
 
 def _isentropic(row: Row, gamma: Source, heat: Source | None) -> Source:
@@ -71,7 +71,7 @@ def _isentropic(row: Row, gamma: Source, heat: Source | None) -> Source:
         note = f"row {row.id}: isothermal, used for the isentrope, no specific heat being given"
         return replace(row.constant("bulk_modulus"), note=f"{note}; {row.note}" if row.note else note)
     value = row["bulk_modulus"] + gamma.value**2 * row["rho0"] * heat.value * REST
-    note = f"row {row.id}: isentropic, from K_T = {row['bulk_modulus'] / 1e9:g} GPa"
+    note = f"row {row.id}: converted from the isothermal {row['bulk_modulus'] / 1e9:g} GPa"
     return _derived(row, "bulk_modulus", "bulk_modulus", value, "Pa", note)
 
 

@@ -154,6 +154,17 @@ def test_the_yield_stress_says_which_strain_and_rate_it_is_for():
     assert differences(described(library.entry("uranium"))).endswith("by the initial strain of 0.0375.")
 
 
+@pytest.mark.parametrize("name, quantity, remark", [
+    ("tin", "eos.specific_heat", "converted from c_p = 220 J/kg/K"), ("diamond", "eos.gamma0", "estimated"),
+    ("iron", "eos.c0", "fitted by hugoniot"), ("iron", "eos.rho0", "mean of the measured states"),
+    ("pbx_9502", "unreacted.reference_temperature", "assumed"), ("pbx_9502", "rate.z", "calibrated by hugoniot"),
+    ("pbx_9502", "rate.i", "taken over from row G003"), ("comp_b", "rate.g2", "set by hugoniot"),
+    ("pbx_9404", "rate.i", "taken over from row G010 (not checked against the printed source)"),
+    ("rdx", "eos.e0", "computed from the isentrope, doubtful")])
+def test_a_derived_constant_says_how_it_was_found(name, quantity, remark):
+    assert next(c["mark"] for c in described(library.entry(name))["constants"] if c["quantity"] == quantity) == remark
+
+
 def test_alpha_iron_is_not_the_iron_above_its_transition():
     with pytest.raises(DeckError, match="alpha iron"):
         library.find("alpha iron")
