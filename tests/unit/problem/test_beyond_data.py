@@ -33,7 +33,7 @@ GAS = 'law = "ideal_gas"\ngamma = 1.4\nrho0 = 1.2\n'
     (SOLID, 50e3, "312 MJ/kg): its atoms are ionised there"), (GAS, 1e8, "its atoms are ionised there"),
     (SOLID.replace("2700.0", "8.19").replace("5200.0", "4.6"), 300.0, 'c0 = 4.6 m/s for a solid or liquid? A bare number is SI; write "4.6 km/s"'),
     (SOLID.replace("2700.0", "8.19"), 300.0, 'rho0 = 8.19 kg/m^3 for a solid or liquid? A bare number is SI; write "8.19 g/cm^3"'),
-    (SOLID.replace("s = 1.5", "s = 0.9").replace("5200.0", "2500.0"), 14e3, "that is beyond 5770 m/s, where its law gives a compression of more than 4"),
+    (SOLID.replace("s = 1.5", "s = 0.9").replace("5200.0", "2500.0"), 14e3, "that is beyond 5770 m/s, above which the law gives a compression of more than 4"),
     (SOLID.replace("s = 1.5", "s = 148.9"), 300.0, "s = 148.9 for a solid or liquid? No known material comes near this: is the value right?"),
     (SOLID + '[material.own.strength]\nlaw = "perfectly_plastic"\nshear_modulus = 26.5\nyield_stress = "0.3 GPa"\n', 300.0, 'write "26.5 GPa"'),
     (SOLID, 300.0, "")])
@@ -50,15 +50,15 @@ def test_check_warns_of_nonsense(tmp_path, capsys, law, velocity, words, solver)
         assert any(words in text for text in warnings) if words else not warnings
 
 
-@pytest.mark.parametrize("law, end, words", [(SOLID, 15e3, "15000 m/s, where its atoms are ionised"),
-                                             (SOLID.replace("s = 1.5", "s = 0.9").replace("5200.0", "2500.0"), 2500.0 / (4.0 / 3.0 - 0.9), "5770 m/s, where its law"),
-                                             (SOLID.replace("2700.0", "22000.0").replace("5200.0", "9000.0"), None, "m/s, where a shock has more than 10 TPa")])
+@pytest.mark.parametrize("law, end, words", [(SOLID, 15e3, "15000 m/s, above which the atoms are ionised"),
+                                             (SOLID.replace("s = 1.5", "s = 0.9").replace("5200.0", "2500.0"), 2500.0 / (4.0 / 3.0 - 0.9), "5770 m/s, above which the law"),
+                                             (SOLID.replace("2700.0", "22000.0").replace("5200.0", "9000.0"), None, "m/s, above which the pressure of a shock exceeds 10 TPa")])
 def test_check_shows_the_estimated_range_of_a_decks_own_material(tmp_path, capsys, law, end, words):
     """Fourfold compression on Us = c0 + s up is at up = c0 / (4/3 - s); 10 TPa at rho0 Us up."""
     (tmp_path / "deck.toml").write_text(FAST.format(velocity=300.0) + law)
     with pytest.raises(SystemExit):
         main(["check", str(tmp_path / "deck.toml")])
-    assert f"range of the data of own: not stated; estimated as particle velocity up to {words if end else ''}" in (shown := capsys.readouterr().out)
+    assert f"range of the data of own: not stated; estimated as a particle velocity of {words if end else ''}" in (shown := capsys.readouterr().out)
     assert words in shown
     with pytest.raises(SystemExit):
         main(["check", str(tmp_path / "deck.toml"), "--json"])
