@@ -14,7 +14,7 @@ from hugoniot.dossier.curves import comparison, measured
 from hugoniot.dossier.describe import described, summary
 from hugoniot.dossier.wording import DERIVED, GROUPS, differences, digits, grouped, numbered, where_read
 from hugoniot.errors import HugoniotError
-from hugoniot.materials import library, schema
+from hugoniot.materials import cards, library, schema
 from hugoniot.materials.tables import families
 from hugoniot.plotting.materials import compare_figure
 
@@ -24,10 +24,10 @@ TARGET = HERE.parent / "generated" / "materials"
 SCALES = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m³"), "1/Pa": (1e-9, "1/GPa"), "kg/m^3": (1.0, "kg/m³"), "1": (1.0, ""),
           "J/kg/K": (1.0, "J/(kg K)")}
 RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
-SAID = {"detonation": "Stated values for comparison; the laws do not use them.",
-        "rate": "These belong to the variant `material = \"{name} reactive\"`, which replaces the programmed burn by ignition and growth."}
-ROWS = "These rows of the library are for the same material or a similar one; this material does not use them. {use}"
-FILE = "\"The file\" is the public file in which a row was read; `hugoniot material show {example}` names it."
+RATE = ("These belong to the variant `material = \"{name} reactive\"`, which replaces the programmed burn by ignition and growth. In the "
+        "units, y and z are the constants with these names.")
+ROWS = "These rows of the library are for the same material or a similar one{used}. {use}"
+FILE = "\"The file\" is the public file from which a row was taken; `hugoniot material show {example}` names it."
 
 
 def number(value, unit: str, count: int = 0) -> str:
@@ -67,20 +67,20 @@ def table(heads: list[str], rows: list[tuple]) -> list[str]:
     return ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads), *("| " + " | ".join(row) + " |" for row in rows), ""]
 
 
-def page(about: dict, picture: str | None) -> str:
-    """The page of one material."""
+def page(about: dict, picture: tuple[str, bool] | None) -> str:
+    """The page of one material; `picture`: the file, and whether a curve in it is dashed."""
     lines = [f"# {about['title']}", "", *_first(about)]
     for warning in about["warnings"]:
         lines += [f":::{{warning}}\n{sentence(warning)}{supplies(warning, about['constants'])}\n:::", ""]
     if picture:
-        lines += [f"![Hugoniots of {cell(about['title'])}]({picture})", "", caption(about), ""]
+        lines += [f"![Hugoniots of {cell(about['title'])}]({picture[0]})", "", caption(about, picture[1]), ""]
     lines += _constants(about) + _derived(about)
     if about["fits"]:
-        lines += ["## Fits to measured states", "", "Least-squares fits of hugoniot to the measured states in its library; ± gives one "
-                  "standard deviation.", "", *(f"* {sentence(line)}" for line in about["fits"]), ""]
+        lines += ["## Fits to measured states", "", "Least-squares fits made by hugoniot to the measured states in the library; ± gives "
+                  "one standard deviation.", "", *(f"* {sentence(line)}" for line in about["fits"]), ""]
     lines += ["## Why these constants", "", *(f"* **{GROUPS[family].capitalize()}.** {sentence(reason)}"
                                               for family, reason in about["reasons"].items()), ""]
-    lines += ["## What the library lacks", "", *(f"* {sentence(text)}" for text in about["missing"]), ""]
+    lines += ["## Limitations", "", *(f"* {sentence(text)}" for text in about["missing"]), ""]
     if about["notes"]:
         lines += ["## Remarks", "", *(f"* {sentence(text)}" for text in about["notes"]), ""]
     return "\n".join(lines + _others(about))
@@ -96,7 +96,7 @@ def supplies(warning: str, constants: list[dict]) -> str:
     """Which constants come from the row that a warning names, where they are few."""
     named = re.match(r"row ([A-Z]\d{3}) ", warning)
     names = [f"`{c['quantity']}`" for c in constants if named and rows_used([c]) == [named[1]]]
-    return f" Only {' and '.join(names)} {'is' if len(names) == 1 else 'are'} from this row." if 0 < len(names) < 3 else ""
+    return f" Only {' and '.join(names)} {'is' if len(names) == 1 else 'are'} taken from this row." if 0 < len(names) < 3 else ""
 
 
 def short(mark: str, identity: str) -> str:
@@ -105,27 +105,25 @@ def short(mark: str, identity: str) -> str:
     return mark.removeprefix(f"{row.title} ").removeprefix("is ").removesuffix(f" ({row.source})")
 
 
-def caption(about: dict) -> str:
+def caption(about: dict, dashed: bool) -> str:
     """What the picture shows."""
     what = "this material" if "cj_velocity" not in about["derived"] else "the unreacted explosive"
     several = any(o["row"][0] in "UT" for o in about["others"])
     text = f"Hugoniots of {what} and of other rows of the library (see below)" if several else f"Hugoniot of {what}"
     if measured(about["name"]):
         text += ", with the measured states of the library"
-    dashed = several or about["valid_up_to"] is not None
-    return text + ("; a curve is thin and dashed outside its stated range." if dashed else ".")
+    return text + ("; a curve is thin and dashed outside the range of its data, where that is known." if dashed else ".")
 
 
 def _first(about: dict) -> list[str]:
     """What the material is, which laws describe it, and in which range."""
-    kind = about["category"].replace("/", " or ")
-    names = f"; these names work too: {', '.join(cell(a) for a in about['aliases'])}" if about["aliases"] else ""
-    lines = [f"This page gives the laws and constants that hugoniot uses for {cell(about['title'])}. Its category in the materials library "
-             f"is *{kind}*. In a deck, write `material = \"{about['name']}\"`{names}.", ""]
+    names = [f"`{a}`" for a in about["aliases"]]
+    also = f" The name{'s' if names[1:] else ''} {listing(names)} work{'' if names[1:] else 's'} too." if names else ""
+    lines = [f"This page gives the laws and constants of the library's material *{cell(about['title'])}* (category: {about['category']}). "
+             f"In a deck, write `material = \"{about['name']}\"`.{also}", ""]
     rows = rows_used(about["constants"])
     if rows:
-        listed = rows[0] if len(rows) == 1 else f"{', '.join(rows[:-1])} and {rows[-1]}"
-        lines += [f"The constants are those of row{'s' if rows[1:] else ''} {listed} of the library. A *row* is one published set of "
+        lines += [f"The constants come from row{'s' if rows[1:] else ''} {listing(rows)} of the library. A *row* is one published set of "
                   f"constants; `hugoniot material show {rows[0]}` prints row {rows[0]} with its source.", ""]
     lines += ["The material is described by these laws:", ""]
     for family, law in about["laws"].items():
@@ -135,8 +133,7 @@ def _first(about: dict) -> list[str]:
         lines.append(f"* {what[:1].upper() + what[1:]}: [`{law}`](../laws/{folder}/{law}.md). {sentence(text)}")
     if "does not apply" in about["reach"]:
         return [*lines, ""]
-    reach = about["reach"].replace("not stated; estimated as", "the sources state no range; it is estimated as")
-    reach = reach.replace(", where its", ", where the")
+    reach = about["reach"].replace("not stated; estimated as", "the sources state no range; its upper limit is estimated as")
     return [*lines, "", f"**Valid range.** {sentence(reach)}", ""]
 
 
@@ -144,12 +141,17 @@ def _constants(about: dict) -> list[str]:
     """Tables of the constants, one per law, and the numbered list of their sources."""
     constants = about["constants"]
     marks, sources = numbered(constants)
-    lines = ["## Constants", "", "Names are those of a deck or a material file; numbers in brackets refer to the sources below the "
+    lines = ["## Constants", "", "The names are those used in decks and material files; numbers in brackets refer to the sources below the "
              "tables. A default value is the one that the law takes where no source gives another.", ""]
     for group, members in grouped(constants).items():
         lines += [f"### {GROUPS[group].capitalize()}", ""]
-        if group in SAID:
-            lines += [SAID[group].format(name=about["name"]), ""]
+        if group == "rate":
+            lines += [RATE.format(name=about["name"]), ""]
+        if group == "detonation":
+            stated = [constants[k]["quantity"] for k in members]
+            lines += ["The laws do not use the Gurney velocity." if stated == ["detonation.gurney_velocity"] else
+                      "Of these values the laws use only the detonation velocity, in the programmed burn; the others are for comparison."
+                      if len(stated) > 1 else "Programmed burn uses this value.", ""]
         rows = []
         for c, mark in ((constants[k], marks[k]) for k in members):
             few = 5 if c["status"] == "derived" or c["unit"] == "J/kg/K" else 0     # a specific heat per volume was divided by the density
@@ -157,8 +159,8 @@ def _constants(about: dict) -> list[str]:
             rows.append((f"`{name}`", cell(about["meanings"].get(c["quantity"], "")), value, mark, c["mark"]))
         lines += table(["name", "meaning", "value", "source", "remark"], rows)
     if sources:
-        lines += ["### Sources", "", "Most numbers were read in a public file that cites the publication, not in the publication itself "
-                  "([provenance](../../materials/provenance.md)).", ""]
+        lines += ["### Sources", "", "Where a public file is named, the numbers were taken from that file, not from the publication that "
+                  "it cites ([provenance](../../materials/provenance.md)).", ""]
         lines += [f"{k}. {sentence(source)}" + (f" {sentence(where_read(via))}" if via else "")
                   for k, (source, via) in enumerate(sources, 1)] + [""]
     return lines
@@ -173,7 +175,8 @@ def _derived(about: dict) -> list[str]:
     at.append("zero pressure" if abs(state["pressure"]) < 1e3 else f"pressure {state['pressure'] / 1e3:.4g} kPa")
     said = f"Computed from the constants above at the reference state ({', '.join(at)})."
     if "cj_velocity" in about["derived"]:
-        said = "The Chapman-Jouguet (CJ) state computed from the constants of the detonation products."
+        said = "The Chapman-Jouguet (CJ) state computed from the constants of the detonation products"
+        said += ", and the sound speed of the unreacted explosive." if "unreacted_sound_speed" in about["derived"] else "."
     rows = [(DERIVED[k][:1].upper() + DERIVED[k][1:], number(q["value"], q["unit"], 4), cell(q["meaning"]))
             for k, q in about["derived"].items()]
     return ["## Derived quantities", "", " ".join(t for t in (said, differences(about)) if t), "",
@@ -186,17 +189,35 @@ def _others(about: dict) -> list[str]:
     rows = [(o["row"], GROUPS[o["family"]], cell(o["summary"]),
              " ".join([sentence(o["source"]), *(f"**{sentence(short(mark, o['row']))}**" for mark in o["marks"])]))
             for o in about["others"]]
-    states = [o["row"] for o in about["others"] if o["family"] == "eos"]
-    use = f"A deck uses a row of an equation of state as a material by itself, such as `material = \"{states[0]}\"`; a " if states else "A "
-    use += "material file can take a row for one law ([your own materials](../../materials/users.md))."
+    states = [o["row"] for o in about["others"] if o["family"] == "eos" and usable(o["row"])]
+    use = "in a material file a row can supply the constants of a single law ([your own materials](../../materials/users.md))."
+    alone = f"An equation-of-state row can be used in a deck as a material in its own right, such as `material = \"{states[0]}\"`; {use}" \
+        if states else use[:1].upper() + use[1:]
+    taken = {o["row"]: [f"`{c['quantity']}`" for c in about["constants"] if c["quantity"] != "valid_up_to" and rows_used([c]) == [o["row"]]]
+             for o in about["others"]}
+    used = listing([f"{listing(names)} of row {row}" for row, names in taken.items() if names])
+    used = f"; this material uses only {used}" if used else "; this material does not use them"
     unnamed = next((o["row"] for o in about["others"] if "he file" in o["source"]), None)
-    said = ROWS.format(use=use) + (" " + FILE.format(example=unnamed) if unnamed else "")
+    said = ROWS.format(used=used, use=alone) + (" " + FILE.format(example=unnamed) if unnamed else "")
     return ["## Other data", "", said, "",
             *table(["row", "for", "constants", "source and remarks"], rows)]
 
 
-def draw(entry, target: Path) -> str | None:
-    """The picture of a material's Hugoniots; None where it has none from rest (products only)."""
+def listing(names: list[str]) -> str:
+    """Names as "a, b and c"."""
+    return " and ".join(part for part in (", ".join(names[:-1]), *names[-1:]) if part)
+
+
+def usable(identity: str) -> bool:
+    """Whether a deck can name the row as its material."""
+    try:
+        return bool(cards.card(schema.row(identity)))
+    except ValueError:
+        return False
+
+
+def draw(entry, target: Path) -> tuple[str, bool] | None:
+    """The picture of a material's Hugoniots, and whether a curve is dashed; None where it has none from rest (products only)."""
     try:
         chosen = comparison([entry])
     except HugoniotError:
@@ -204,7 +225,7 @@ def draw(entry, target: Path) -> str | None:
     if not chosen.curves:
         return None
     compare_figure(chosen, target / f"{entry.name}.png")
-    return f"{entry.name}.png"
+    return f"{entry.name}.png", any(not curve.reliable.all() for curve in chosen.curves)
 
 
 def index(entries: list, laws: dict[str, dict]) -> str:

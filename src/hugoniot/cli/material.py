@@ -297,8 +297,8 @@ def _echo_material(about: dict) -> None:
         if differences(about):
             typer.echo(differences(about))
     choices = [f"{GROUPS[family]}: {reason}" for family, reason in about["reasons"].items()]
-    for head, lines in (("fits of hugoniot to measured states", about["fits"]), ("why these constants", choices),
-                        ("what the library lacks", about["missing"]), ("remarks", about["notes"]),
+    for head, lines in (("fits made by hugoniot to measured states", about["fits"]), ("why these constants", choices),
+                        ("limitations", about["missing"]), ("remarks", about["notes"]),
                         ("other rows of the library (hugoniot material show ROW prints one)",
                          [f"{o['row']} ({GROUPS[o['family']]}): {o['summary']}" for o in about["others"]])):
         if lines:

@@ -33,7 +33,7 @@ MEMORY = "quoted from memory, not checked against the printed source"
 
 
 def where_read(via: str) -> str:
-    """Where a number was read, or how it was made, as a phrase: what a source's `via` says."""
+    """Where a number was taken from, or how it was made, as a phrase: what a source's `via` says."""
     if via.startswith("recalled"):
         return MEMORY
     if via == "us_up_points.csv" or via.startswith("least squares"):
@@ -44,10 +44,10 @@ def where_read(via: str) -> str:
         return f"the command was `{via}`"
     if via.startswith("public copy"):
         what = "a public Python list of materials by S. Sakai" if "Sakai" in via else "a public file"
-        return f"read in {what}, whose repository was not recorded"
+        return f"taken from {what} whose repository was not recorded"
     plain = re.sub(r" \(public copy \d+\)", "", via)
     found = [phrase for part in _ANOTHER.split(plain) if (phrase := _place(part))]
-    return f"read in {'; and in '.join(found)}" if found and "/" in plain else via
+    return f"taken from {'; and from '.join(found)}" if found and "/" in plain else via
 
 
 def _place(part: str) -> str:

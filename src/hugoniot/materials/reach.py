@@ -57,8 +57,8 @@ def about(row: Row) -> str:
     """Where the range of a Us-up row comes from: measured states and how they scatter about its curve, or its source's statement."""
     if "states" in row:
         begin, end, deviation = (format_si(row[name], "m/s", d) for name, d in (("up_min", 6), ("up_max", 6), ("us_deviation", 3)))
-        return (f"the library has {row['states']:g} measured states, with particle velocities from {begin} to {end}; their shock velocities "
-                f"deviate from the curve of row {row.id} by {deviation}, root mean square")
+        return (f"the library has {row['states']:g} measured states, with particle velocities from {begin} to {end}; their shock "
+                f"velocities deviate from the curve of row {row.id} by {deviation}, root mean square")
     found = f"the range of the fit of row {row.id}" if row.status == "derived" else f"as stated by the source of row {row.id}"
     if "up_max" not in row or row.range_from():
         found = f"row {row.id}" + (f": {row.range_from()}" if row.range_from() else "")

@@ -10,7 +10,7 @@ H.aboutMaterial = known => {
     H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, ["constant", "value", "unit (SI)", "source", "remark"].map((t, k) => H.h("th", {class: k === 1 ? "number" : ""}, t)))), H.h("tbody", {}, rows))),
     ...lines("range of the data", known.reach ? [known.reach] : []),
     ...lines("derived quantities", Object.entries(known.derived).map(([k, q]) => `${k.replace(/_/g, " ").replace(/^(cj|hel) /, t => t.toUpperCase())}: ${H.digits(q.value)} ${q.unit === "1" ? "" : q.unit} (${q.meaning})`)),
-    ...lines("why these constants", Object.entries(known.reasons).map(([k, t]) => `${k}: ${t}`)), ...lines("what the library lacks", known.missing), ...lines("remarks", known.notes), ...lines("fits of hugoniot to measured states", known.fits),
+    ...lines("why these constants", Object.entries(known.reasons).map(([k, t]) => `${k}: ${t}`)), ...lines("limitations", known.missing), ...lines("remarks", known.notes), ...lines("fits made by hugoniot to measured states", known.fits),
     ...lines("other rows of the library", known.others.map(o => `${o.row} (${o.family}) ${o.summary}: ${o.source}`)),
     ...lines("sources", sources.map((s, k) => `[${k + 1}] ${s.split("|")[0]}`)));
 };
