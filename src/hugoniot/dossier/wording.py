@@ -25,8 +25,8 @@ _STATED = {
     "valid_up_to": "highest particle velocity of the data",
 }
 _MODELS = {"SG": "Steinberg-Guinan", "JC": "Johnson-Cook"}
-_TABLES = {"jwlb": "JWLB detonation products", "ignition_growth": "ignition and growth", "porous": "crush curve (P-alpha)",
-           "ptw": "Preston-Tonks-Wallace", "gurney": "Gurney velocity", "tillotson": "Tillotson", "pop_plot": "Pop plot"}
+_TABLES = {"jwlb": "JWLB detonation products", "ignition_growth": "ignition and growth", "ptw": "Preston-Tonks-Wallace",
+           "gurney": "Gurney velocity", "tillotson": "Tillotson", "pop_plot": "Pop plot"}
 _PLACE = re.compile(r"([\w.-]+/[\w.-]+)@([0-9a-f]{7,40})(?: \(gh-pages\))?(?::(.*))?", re.DOTALL)
 _ANOTHER = re.compile(r" \+ |; | and (?=[\w.-]+/[\w.-]+@)")
 MEMORY = "quoted from memory, not checked against the printed source"
@@ -140,6 +140,8 @@ def row_summary(row: Row) -> str:
     elif row.table == "strength":
         y = row.get("yield_stress") or row.get("johnson_cook_yield")
         text = _MODELS.get(row["model"], row["model"]) + (f", yield stress {y / 1e9:.3g} GPa" if y else "")
+    elif row.table == "porous":
+        text = f"crush curve: {row['model']}"
     else:
         text = _TABLES.get(row.table, row.table.replace("_", " "))
     return text + (" (from memory)" if row.status == "recalled" else " (doubtful)" if row.marks else "")
