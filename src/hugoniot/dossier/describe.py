@@ -5,7 +5,7 @@ import math
 from hugoniot.dossier import fits
 from hugoniot.dossier.derived import derived_quantities
 from hugoniot.dossier.wording import meanings, row_summary
-from hugoniot.laws.eos.contract import pressure, reference_state, temperature_at_rest
+from hugoniot.laws.eos.contract import has_temperature, pressure, reference_state, temperature_at_rest
 from hugoniot.materials import library, schema
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.marks import marks
@@ -34,8 +34,8 @@ def described(entry: Entry) -> dict:
 def _reference(par) -> dict:
     """The state that derived quantities refer to: density (kg/m3), pressure (Pa), temperature (K; None where the law has none)."""
     rho, e = reference_state(par)
-    warm = float(temperature_at_rest(par))
-    return {"density": float(rho), "pressure": float(pressure(rho, e, par)), "temperature": warm if math.isfinite(warm) else None}
+    warm = temperature_at_rest(par) if has_temperature(par) else None
+    return {"density": float(rho), "pressure": float(pressure(rho, e, par)), "temperature": warm}
 
 
 def described_row(identity: str) -> dict:
