@@ -161,6 +161,8 @@ def _constants(about: dict) -> list[str]:
     if sources:
         lines += ["### Sources", "", "Where a public file is named, the numbers were taken from that file, not from the publication that "
                   "it cites ([provenance](../../materials/provenance.md)).", ""]
+        if any("he file" in source for source, _ in sources):
+            lines[-2] += " \"The file\" in a source is the file from which its numbers were taken."
         lines += [f"{k}. {sentence(source)}" + (f" {sentence(where_read(via))}" if via else "")
                   for k, (source, via) in enumerate(sources, 1)] + [""]
     return lines

@@ -110,7 +110,8 @@ def differences(about: dict) -> str:
                      "itself has other sound speeds and elastic constants at low pressure.")
     if about["laws"].get("strength") == "steinberg_guinan" and "shear_modulus" in about["derived"]:
         stated = {c["quantity"]: c["value"] for c in about["constants"]}
-        if about["reference"]["temperature"] and abs(about["derived"]["shear_modulus"]["value"] / stated["strength.shear_modulus"] - 1.0) > 1e-6:
+        ratio = about["derived"]["shear_modulus"]["value"] / stated["strength.shear_modulus"]
+        if about["reference"]["temperature"] and abs(ratio - 1.0) > 1e-6:
             found.append("The constants of the strength law are for 300 K, the shear modulus and yield stress below for "
                          f"{about['reference']['temperature']:g} K.")
         if strain := stated.get("strength.initial_strain"):
