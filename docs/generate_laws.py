@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 from law_pictures import draw
-from law_words import CAPTIONS, FAMILIES, GROUPS, MATERIALS, OWN_SYMBOLS, QUANTITIES, SYMBOLS, WRITTEN
+from law_words import CAPTIONS, FAMILIES, GROUPS, MATERIALS, OWN_SYMBOLS, QUANTITIES, SYMBOLS, WHERE_SET, WRITTEN
+from source_labels import explained
 
 import hugoniot.laws.burn
 import hugoniot.laws.eos
@@ -28,7 +29,7 @@ from hugoniot.units import format_si, parse
 TARGET = Path(__file__).parent / "generated" / "laws"
 REGISTRIES = {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE, "viscosity": VISCOSITY, "burn": BURN, "mixture": MIXTURE,
               "transport": TRANSPORT, "conduction": CONDUCTION}
-DOCUMENTS = re.compile(r"Starkenberg|Herrmann|Jordan|Wilkins|KB codes|\b[WKHSJ]-E\d+\b")     # that docs/theory/source_errors.md describes
+ERRORS = "../../../theory/source_errors.md"
 
 
 def cell(value) -> str:
@@ -47,6 +48,9 @@ def marked(text: str) -> str:
 def parameters(law) -> list[str]:
     """Parameters in a deck: symbols of the equations where they are known, units, defaults and meanings."""
     names, needed = accepted(law)
+    if law.family == "mixture":
+        rows = [[f"`{name}`", WHERE_SET[name], marked(law.meaning[name])] for name in law.parameters._fields]
+        return table(["parameter", "given by", "meaning"], rows)
     symbols = {**SYMBOLS, **OWN_SYMBOLS.get(law.name, {})} if law.family == "eos" else {}
     rows, order = [], law.parameters._fields
     for name in sorted(names, key=lambda n: (n not in needed, order.index(n) if n in order else len(order))):
@@ -74,7 +78,7 @@ def validity(law) -> list[str]:
     if law.family == "eos":
         (low, high), (cold, hot) = law.box["rho"], law.box["e"]
         ranges = f"densities from {plain(low)} to {plain(high)} kg/m³ and energies from {plain(cold * 1e-6)} to {plain(hot * 1e-6)} MJ/kg"
-        shown = [] if "energy_limits" in law.functions else [f"The law is tested with these parameters for {ranges}.", ""]
+        shown = [] if "energy_limits" in law.functions else [f"The law is tested with the parameters of the example for {ranges}.", ""]
         return ["## Limits", "", *limits(law), *shown]
     rows = [(f"{name} ({unit})" if unit else name, plain(low * factor), plain(high * factor)) for name, unit, factor, low, high in box]
     lines = ["## Tested range", "", "The law is tested with the parameters of the example for these states:", ""]
@@ -90,13 +94,16 @@ def limits(law) -> list[str]:
     low, high = density_limits(law.example)
     fastest = particle_velocity_limit(law.example)
     least, most = f"above {rounded(low)}" if low > 0.0 else "", f"below {rounded(high)}" if high < np.inf else ""
-    ends = f"for densities {' and '.join(filter(None, (least, most)))} kg/m³" if least or most else "at any density"
-    where = "inside its table" if "energy_limits" in law.functions else f"{ends} with these parameters"
-    lines = [f"The law is defined {where}, wherever the sound speed is real ($c^2 > 0$)."]
+    ends = f"its density must be {' and '.join(filter(None, (least, most)))} kg/m³ (with the parameters of the example)" \
+        if least or most else ""
+    ends = "it must lie inside the table" if "energy_limits" in law.functions else ends
+    real = "its sound speed must be real ($c^2 > 0$)"
+    lines = [f"A state must meet two conditions: {ends}, and {real}." if ends else
+             f"Any density is allowed with the parameters of the example, if the sound speed of the state is real ($c^2 > 0$)."]
     if np.isfinite(fastest):
-        lines.append(f"Its Hugoniot ends at a particle velocity of {rounded(fastest)} m/s.")
-    lines.append("These are limits of the formulas, not of the data behind the parameters. A state outside is refused with an error that "
-                 "states the limit.")
+        lines.append(f"The principal Hugoniot ends at a particle velocity of {rounded(fastest)} m/s.")
+    lines.append("These are limits of the formulas, not of the data behind the parameters. The command-line tools refuse a state outside "
+                 "with an error that states the limit.")
     return [" ".join(lines), "", temperature(law), ""]
 
 
@@ -149,13 +156,25 @@ def deck_lines(law, par, where: str) -> list[str] | None:
     return lines
 
 
+def mixture_lines(law) -> list[str]:
+    """The deck of a mixture law's example: the equations of state stand in tables of the material."""
+    par, place = law.example, f"material.{MATERIALS['burn']}"
+    lines = [f"[{place}]", f'mixture = "{law.name}"']
+    if "detonation_energy" in par._fields:
+        lines.append(f'detonation_energy = "{quantity(par.detonation_energy, "J/kg")}"')
+    for name, key in (("reactants", "unreacted"), ("products", "eos")):
+        if name in par._fields:
+            inner = getattr(par, name)
+            lines += ["", f"# {name}", *(deck_lines(EOS.of(inner), inner, f"{place}.{key}") or [])]
+    return lines
+
+
 def example(law) -> list[str]:
     """The registered example, as a deck writes it."""
     family = law.family
     material = MATERIALS.get(law.name, MATERIALS.get(family))
     if family == "mixture":
-        lines = [f"[material.{MATERIALS['burn']}]", f'mixture = "{law.name}"',
-                 "# products: the table `eos`; reactants: the table `unreacted`; detonation_energy: a key here"]
+        lines = mixture_lines(law)
     elif family in ("transport", "conduction"):
         found = settings(law, law.example)
         key = "viscosity" if family == "transport" else family
@@ -180,11 +199,16 @@ def references(law, source: str) -> list[str]:
     """The source as the law's file states it, and the registered references it does not name."""
     others = [r for r in law.references if re.split(r"[ ,]", r)[0] not in source]
     begun = source if source.startswith("von ") else source[:1].upper() + source[1:]
-    lines = ["## References", "", *([begun, ""] if begun else []), *(f"* {cell(r)}" for r in others), *([""] if others else [])]
-    if DOCUMENTS.search("\n".join([source, *others, inspect.cleandoc(law.module.__doc__ or "")])):
-        lines += ["The documents by Wilkins, Herrmann, Starkenberg and Jordan, the manual of the KB codes, and the errors found in them "
-                  "(labels such as J-E8) are listed under [source errors](../../../theory/source_errors.md).", ""]
-    return lines
+    return ["## References", "", *([begun, ""] if begun else []), *(f"* {cell(r)}" for r in others), *([""] if others else [])]
+
+
+def shared(law) -> list[str]:
+    """A line that names the other laws whose equations stand on the same page."""
+    others = [f"[`{other.name}`]({other.name}.md)" for other in REGISTRIES[law.family] if other.module is law.module and other is not law]
+    if not others:
+        return []
+    names = " and ".join(filter(None, (", ".join(others[:-1]), others[-1])))
+    return [f"The equations below are those of `{law.name}` and of {names}; the parameters are those of `{law.name}` alone.", ""]
 
 
 def page(law, picture: str | None) -> str:
@@ -192,11 +216,11 @@ def page(law, picture: str | None) -> str:
     text, source = text_and_source(law)
     if law.family == "eos":
         text = re.sub(r"`(\w+)`", lambda m: f"[{m[0]}]({m[1]}.md)" if m[1] in EOS.names() and m[1] != law.name else m[0], text)
-    lines = [f"# {law.name}", "", f"**{law.summary}**", "", text, ""]
+    lines = [f"# {law.name}", "", f"**{law.summary}**", "", *shared(law), text, ""]
     if picture:
         lines += [f"![{law.name}: the example]({picture})", "", *([CAPTIONS[law.name], ""] if law.name in CAPTIONS else [])]
     lines += ["## Parameters", "", *parameters(law), *example(law), *validity(law), *references(law, source)]
-    return "\n".join(lines)
+    return "\n".join(explained(lines, ERRORS))
 
 
 def listed(family: str, laws) -> list[str]:

@@ -9,6 +9,8 @@ import inspect
 import re
 from pathlib import Path
 
+from source_labels import explained
+
 from hugoniot.theory.exact import SOLUTIONS, describe, parameter_unit
 from hugoniot.theory.exact.kenamond import kenamond
 
@@ -76,8 +78,9 @@ PURPOSES = {
 # public functions of the tools that serve other modules only
 FOR_DEVELOPERS = {"states.has", "states.evaluate", "isentrope.expansion_to", "isentrope.grid", "isentrope.elastic", "fits.read_columns",
                   "znd.zone_of", "sesame.looks_like"}
-MATERIALS = ' A material is one from the library, `hugoniot.materials.library.find("copper")`, or the parameters of an equation of state.'
-INITIAL = " `Initial`, the state ahead of a shock, is in `hugoniot.theory.upstream`."
+MATERIALS = " An argument `material` takes a material of the library, such as `hugoniot.materials.library.find(\"copper\")`, or the parameters " \
+    "of an equation of state."
+INITIAL = " The class `Initial`, for the state ahead of a shock, is in `hugoniot.theory.upstream`."
 # module of exact solutions: title of its page
 TITLES = {
     "blake": "Blake's cavity", "coggeshall": "Coggeshall's compression in two dimensions",
@@ -92,10 +95,12 @@ TITLES = {
     "woodward_colella": "Interacting blast waves",
 }
 EQUATIONS_ELSEWHERE = {"mixtures": "The equations are given under [mixtures](../../theory/mixtures.md)."}
-CALLS = """On the command line a parameter is written `name=value`, with a unit where it has one, and `--time` gives the fields;
-[exact solutions](../../../theory/exact_solutions.md) describes the options. In Python, `SOLUTIONS["{}"]` of `hugoniot.theory.exact` takes
-the same parameters. The object it returns gives the fields as arrays when it is called with positions and a time; its attribute `numbers`
-holds the numbers, and its method `jumps(time)` gives the positions of the discontinuities.
+CALLS = """On the command line a parameter is written `name=value`, with a unit where it has one. The command prints the numbers named above, and with
+`--time T` also the fields at the time `T`. [Exact solutions](../../../theory/exact_solutions.md) describes the options.
+
+In Python, `SOLUTIONS["{}"]` of `hugoniot.theory.exact` takes the same parameters and returns an object. Called with positions and a time,
+this object returns the fields as arrays. Its attribute `numbers` is a dictionary of the numbers. Its method `jumps(time)` returns the
+positions of shocks, contacts and surfaces, if the solution has any.
 
 Positions are in m, times in s, densities in kg/m³, velocities in m/s, pressures and stresses in Pa and specific internal energies
 (`energy`) in J/kg, or all quantities in another consistent set of units.
@@ -144,15 +149,6 @@ def words(docstring: str | None) -> str:
             out.append(line)
             listed = False
     return "\n".join(out).strip()
-
-
-def explained(lines: list[str], errors: str) -> list[str]:
-    """A page with a line that says where its labels of source errors, such as K-E4, are listed; `errors` is that page."""
-    found = sorted(set(re.findall(r"\b[WKHSJ]-E\d+\b", "\n".join(lines))))
-    if not found:
-        return lines
-    subject = f"{found[0]} refers" if len(found) == 1 else f"Labels such as {found[0]} refer"
-    return [*lines, f"{subject} to the list of [errors found in the printed sources]({errors}).", ""]
 
 
 def module(name: str):

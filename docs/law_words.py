@@ -104,6 +104,19 @@ WRITTEN = {
               '"2.2 GPa", "2.7 GPa", "6.2 GPa"]',
               'energy_table = ["-50 kJ/kg", "40 kJ/kg", "670 kJ/kg", "-90 kJ/kg", "0 kJ/kg", "630 kJ/kg", "-60 kJ/kg", "30 kJ/kg", '
               '"660 kJ/kg"]'),
+    "forest_fire": ('[material.explosive.burn]', 'law = "forest_fire"', 'coefficients = [-5.5, 48.0, -52.0]     # invented values',
+                    'p_min = "3 GPa"', 'p_max = "35 GPa"'),
+    "rate_table": ('[material.explosive.burn]', 'law = "rate_table"', '# invented values',
+                   'pressures = ["2 GPa", "5 GPa", "10 GPa", "20 GPa", "40 GPa"]',
+                   'rates = ["2e3 1/s", "8e4 1/s", "1.2e6 1/s", "1.5e7 1/s", "1e8 1/s"]'),
+}
+# parameter of a mixture law: what gives it
+WHERE_SET = {
+    "reactants": "the table `unreacted` of the material", "products": "the table `eos` of the material",
+    "detonation_energy": "the key `detonation_energy` of the material; default: the difference of the reference energies of products and "
+                         "reactants",
+    "reactant_density_limit": "the equation of state itself", "product_density_limit": "the equation of state itself",
+    "nascent_limit": "the solver: 1e-3 with `lagrange1d` and `lagrange2d`, 1e-4 with `fronts`; 1e-6 in the tools without a mesh",
 }
 QUANTITIES = {      # variable: (name, unit shown, factor from SI)
     "rho": ("density", "kg/m³", 1.0), "e": ("specific internal energy", "MJ/kg", 1e-6), "p": ("pressure", "GPa", 1e-9),

@@ -15,7 +15,9 @@ DOCS = Path(__file__).parents[3] / "docs"
 def pages():
     spec = importlib.util.spec_from_file_location("generate_theory", DOCS / "generate_theory.py")
     module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(DOCS)      # it imports a script beside it
+        spec.loader.exec_module(module)
     return module
 
 
