@@ -99,7 +99,7 @@ def limits(law) -> list[str]:
     ends = "it must lie inside the table" if "energy_limits" in law.functions else ends
     real = "its sound speed must be real ($c^2 > 0$)"
     lines = [f"A state must meet two conditions: {ends}, and {real}." if ends else
-             f"Any density is allowed with the parameters of the example, if the sound speed of the state is real ($c^2 > 0$)."]
+             "Any density is allowed with the parameters of the example, if the sound speed of the state is real ($c^2 > 0$)."]
     if np.isfinite(fastest):
         lines.append(f"The principal Hugoniot ends at a particle velocity of {rounded(fastest)} m/s.")
     lines.append("These are limits of the formulas, not of the data behind the parameters. The command-line tools refuse a state outside "

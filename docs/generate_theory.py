@@ -78,8 +78,8 @@ PURPOSES = {
 # public functions of the tools that serve other modules only
 FOR_DEVELOPERS = {"states.has", "states.evaluate", "isentrope.expansion_to", "isentrope.grid", "isentrope.elastic", "fits.read_columns",
                   "znd.zone_of", "sesame.looks_like"}
-MATERIALS = " An argument `material` takes a material of the library, such as `hugoniot.materials.library.find(\"copper\")`, or the parameters " \
-    "of an equation of state."
+MATERIALS = (" An argument `material` takes a material of the library, such as `hugoniot.materials.library.find(\"copper\")`, or the "
+             "parameters of an equation of state.")
 INITIAL = " The class `Initial`, for the state ahead of a shock, is in `hugoniot.theory.upstream`."
 # module of exact solutions: title of its page
 TITLES = {
@@ -95,8 +95,8 @@ TITLES = {
     "woodward_colella": "Interacting blast waves",
 }
 EQUATIONS_ELSEWHERE = {"mixtures": "The equations are given under [mixtures](../../theory/mixtures.md)."}
-CALLS = """On the command line a parameter is written `name=value`, with a unit where it has one. The command prints the numbers named above, and with
-`--time T` also the fields at the time `T`. [Exact solutions](../../../theory/exact_solutions.md) describes the options.
+CALLS = """On the command line a parameter is written `name=value`, with a unit where it has one. The command prints the numbers named
+above, and with `--time T` also the fields at the time `T`. [Exact solutions](../../../theory/exact_solutions.md) describes the options.
 
 In Python, `SOLUTIONS["{}"]` of `hugoniot.theory.exact` takes the same parameters and returns an object. Called with positions and a time,
 this object returns the fields as arrays. Its attribute `numbers` is a dictionary of the numbers. Its method `jumps(time)` returns the

@@ -92,7 +92,7 @@ MATERIALS = {
     "snow_plough": "porous_aluminium", "stiffened_gas": "water", "tait": "water", "temperature_power": "explosive", "vinet": "copper",
     "wilkins_cubic": "copper",
 }
-CAPTIONS = {"table": "A coarse table made from an aluminium with the law `mie_gruneisen`."}
+CAPTIONS = {"table": "The figure shows a coarse table that was computed with the law `mie_gruneisen` for aluminium."}
 # decks of laws whose parameters do not keep what a deck gives
 WRITTEN = {
     "mie_gruneisen_cold_series": ('[material.copper.eos]', 'law = "mie_gruneisen_cold_series"', 'rho0 = "8930 kg/m^3"', 'c0 = "3940 m/s"',

@@ -1,4 +1,4 @@
-"""Labels of errors in the printed sources, such as W-E4, on the pages of laws and tools: spelled out, and explained at the end of a page."""
+"""Labels of errors in the printed sources, such as W-E4, on the pages of laws and tools: spelled out, and explained below."""
 
 import re
 

@@ -6,10 +6,9 @@ $$\dot\lambda = Z\,(1-\lambda)^m \exp(-T_a/T)$$
 * $T$: temperature of the mixture of unburned and burned material
 * $Z$: `frequency`; $T_a$: `activation_temperature`; $m$: `depletion_exponent`
 
-Both equations of state must give a temperature.
-
-The time step is limited by the rate, so that the heating within a step is resolved; within the step the rate equation is solved exactly at
-constant temperature.
+The equations of state of the unreacted explosive and of the products must both give a temperature. Within a time step the temperature is
+held constant and the rate equation is solved exactly. The step is a small part of the burning time $1/\dot\lambda$, so that the temperature
+changes little within it.
 """
 
 from typing import NamedTuple

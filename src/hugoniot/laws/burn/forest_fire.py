@@ -1,16 +1,17 @@
-r"""Burning at a rate that depends on the pressure, given by a polynomial (forest fire) or a table, with first-order depletion.
+r"""Burning at a rate that depends on the pressure: by a polynomial (`forest_fire`) or a table (`rate_table`), with first-order depletion.
 
-$$\dot\lambda = (1-\lambda)\,\frac{1}{t_0}\exp\left(\sum_{i=0}^{14} a_i\,(p/p_0)^i\right) \;(\text{forest fire}), \qquad
-\dot\lambda = (1-\lambda)\,r(p) \;(\text{rate table})$$
+$$\dot\lambda = (1-\lambda)\,\frac{1}{t_0}\exp\left(\sum_{i=0}^{14} a_i\,(p/p_0)^i\right) \;(\texttt{forest\_fire}), \qquad
+\dot\lambda = (1-\lambda)\,r(p) \;(\texttt{rate\_table})$$
 
 * $\lambda$: burned mass fraction, 0 to 1; $\dot\lambda$: its rate of change
 * $p$: pressure
-* $a_0$ to $a_{14}$: `coefficients`, up to 15 of them; $p_0$, $t_0$: `pressure_scale`, `time_scale` (Mader's units by default: 1 Mbar, 1 µs)
-* $r$: rate of the table (`pressures`, `rates`); $\ln r$ is interpolated linearly in $\ln p$
+* $a_0$ to $a_{14}$: `coefficients`, lowest power first; those not given are 0
+* $p_0$, $t_0$: `pressure_scale`, `time_scale`; the defaults are the units of Mader's coefficients, 1 Mbar and 1 µs
+* $r$: rate in the table of `pressures` and `rates`; $\ln r$ is interpolated linearly in $\ln p$
 
-Nothing burns below the lowest pressure, `p_min` or the first of the table. Above the highest, `p_max` or the last of the table, the rate
-keeps the value it has there, because a polynomial is meaningless outside the range of its fit. The rate equation is solved exactly at the
-pressure of each step.
+The fit or table covers pressures from `p_min` to `p_max`, or from the first to the last pressure of the table. Below this range nothing
+burns. Above it the factor that depends on the pressure keeps the value it has at the upper limit. Within a time step the pressure is held
+constant and the rate equation is solved exactly.
 """
 
 from typing import NamedTuple
@@ -111,12 +112,14 @@ def rate_table(pressures, rates) -> RateTable:
 
 
 BURN.add(
-    "forest_fire", ForestFire, line="Forest fire: the logarithm of the rate is a polynomial of the pressure, with first-order depletion.",
+    "forest_fire", ForestFire,
+    line="Forest fire: the logarithm of the rate is a polynomial in the pressure, with first-order depletion.",
     functions={"rate": polynomial_rate, "advance": polynomial_advance, "scheduled": no_schedule},
     # log-rate of a made-up quadratic fit between 3 and 35 GPa: 0.02 per microsecond to 130 per microsecond
     example=forest_fire((-5.5, 48.0, -52.0), 3.0e9, 35.0e9),
     units={"coefficients": "1", "p_min": "Pa", "p_max": "Pa", "pressure_scale": "Pa", "time_scale": "s"},
-    meaning={"coefficients": "a_0 to a_14, coefficients of the polynomial", "p_min": "pressure below which nothing burns",
+    meaning={"coefficients": "coefficients of the polynomial, lowest power first, 1 to 15 values",
+             "p_min": "pressure below which nothing burns",
              "p_max": "pressure above which the rate is constant, usually the CJ pressure",
              "pressure_scale": "unit of pressure of the polynomial",
              "time_scale": "unit of time of the polynomial"},
@@ -129,7 +132,7 @@ BURN.add(
 
 BURN.add(
     "rate_table",
-    RateTable, line="Rate table: the rate is interpolated logarithmically in a table over pressure, with first-order depletion.",
+    RateTable, line="Rate table: the rate is interpolated logarithmically in a table of pressures, with first-order depletion.",
     functions={"rate": table_rate, "advance": table_advance, "scheduled": no_schedule},
     example=rate_table((2.0e9, 5.0e9, 1.0e10, 2.0e10, 4.0e10), (2.0e3, 8.0e4, 1.2e6, 1.5e7, 1.0e8)),
     units={"log_pressure": "1", "log_rate": "1", "pressures": "Pa", "rates": "1/s"},

@@ -9,8 +9,8 @@ $$\dot\lambda = \underbrace{I(1-\lambda)^b\left(\tfrac{\rho}{\rho_0} - 1 - a\rig
 * $I$, $a$, $b$, $x$: `i`, `a`, `b`, `x`; $G_1$, $c$, $d$, $y$: `g1`, `c`, `d`, `y`; $G_2$, $e$, $g$, $z$: `g2`, `e`, `g`, `z`
 * $\lambda_{ig}$, $\lambda_{G1}$, $\lambda_{G2}$: `ignition_limit`, `growth_limit`, `completion_limit`
 
-The ignition term is zero for $\rho/\rho_0 < 1 + a$, the growth and completion terms in tension and at $\lambda = 0$. The example is LX-17
-with the constants of Kapila et al., Combustion Theory and Modelling 11 (2007) 781.
+The ignition term is zero for $\rho/\rho_0 < 1 + a$. The growth and completion terms are zero in tension and at $\lambda = 0$. The example
+is LX-17 with the constants of Kapila et al., Combustion Theory and Modelling 11 (2007) 781.
 
 Within a time step the equation is integrated at constant density and pressure with error control (Bogacki and Shampine, Appl. Math.
 Letters 2 (1989) 321), stopping exactly at the limits. Burning ends at exactly $\lambda = 1$ if the powers of $1 - \lambda$ are below 1.

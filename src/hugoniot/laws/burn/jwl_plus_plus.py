@@ -6,7 +6,8 @@ $$\dot\lambda = G\,p^b\,(1-\lambda)$$
 * $p$: pressure of the mixture with the artificial viscosity added
 * $G$, $b$: `g`, `b`; a published $G$ in $\mathrm{\mu s^{-1}\,Mbar^{-b}}$ is multiplied by $10^{6-11b}$
 
-If the material names no mixture, the pressures of the phases are weighted by burn fraction (`weighted_pressures`).
+The pressure of a burning zone follows from the mixture law of the material. With the default, `weighted_pressures`, it is the mean of the
+pressures of unreacted explosive and products, weighted by their mass fractions.
 """
 
 from typing import NamedTuple

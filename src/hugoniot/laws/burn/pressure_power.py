@@ -8,7 +8,7 @@ $$\dot\lambda = k\left(\frac{p}{p_0}\right)^n (1-\lambda)^m \text{ for } p > p_t
 * $n$, $m$: `pressure_exponent`, `depletion_exponent`; burning ends in finite time for $m < 1$
 
 With $n = 0$ and $m = 1/2$ it is the simple rate of Fickett and Rivard, whose reaction zone is known exactly (`hugoniot exact
-fickett_rivard`). The rate equation is solved exactly at the pressure of each step.
+fickett_rivard`). Within a time step the pressure is held constant and the rate equation is solved exactly.
 """
 
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-r"""Programmed burns: the burn fraction follows from a prescribed front, from the compression, or from both.
+r"""The burn fraction follows from a front of prescribed speed, from the compression, or from both.
 
 $$F_1 = \frac{D\,(t - t_b)}{B_s\,\Delta x_0}, \qquad F_2 = \frac{1 - \rho_0/\rho}{1 - \rho_0/\rho_{CJ}}$$
 
@@ -9,8 +9,8 @@ $$F_1 = \frac{D\,(t - t_b)}{B_s\,\Delta x_0}, \qquad F_2 = \frac{1 - \rho_0/\rho
 * $B_s$: `spread_zones`, the number of zones over which the front is spread; $\Delta x_0$: initial width of the zone
 * $\rho$: density; $\rho_0$, $\rho_{CJ}$: reference density and density of the CJ state, `rho0`, `rho_cj`
 
-With `programmed_beta` a front that is overdriven by convergence may run ahead of its schedule. If the material names no mixture, the
-pressure is $F$ times that of the products (`burned_products`).
+With `programmed_beta` a front that is overdriven by convergence may run ahead of its schedule. The pressure of a burning zone follows from
+the mixture law of the material. With the default, `burned_products`, it is $F$ times the pressure of the products.
 """
 
 from typing import NamedTuple

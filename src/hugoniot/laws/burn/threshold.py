@@ -13,13 +13,13 @@ km/s) behind a piston at the CJ particle velocity:
 
 | $P_{init}$, GPa | 1 | 5 | 10 | 20 | 30 | 40 |
 |---|---|---|---|---|---|---|
-| speed as in the KB codes, km/s | 14.39 | 10.26 | 9.85 | 9.92 | 9.95 | 9.99 |
-| speed with `compatible`, km/s | 12.5 | 10.14 | 10.10 | 10.13 | 10.18 | 10.22 |
+| speed with the integrator of the KB codes, km/s | 14.39 | 10.26 | 9.85 | 9.92 | 9.95 | 9.99 |
+| speed with the integrator `compatible`, km/s | 12.5 | 10.14 | 10.10 | 10.13 | 10.18 | 10.22 |
 
-The first row uses the integrator of the KB codes, `shock_energy` for the unreacted explosive, `kb_two_sided` with coefficient 1 and a
-Courant number of 0.25. It is the same on 200 and 800 zones within 0.25 %, and changes by up to 3 % (at 1 GPa by 9 %) with Courant numbers
-of 0.2 or 0.3. The second row uses the integrator `compatible` and a Mie-Grüneisen equation of state for the unreacted explosive. Between
-5 and 40 GPa the speeds are correct to 3 %.
+The KB codes are those of Field Precision (2000). The first row uses their integrator, `shock_energy` for the unreacted explosive,
+`kb_two_sided` with coefficient 1 and a Courant number of 0.25. It is the same on 200 and 800 zones within 0.25 %, and changes by up to 3 %
+(at 1 GPa by 9 %) with Courant numbers of 0.2 or 0.3. The second row uses the integrator `compatible` and a Mie-Grüneisen equation of state
+for the unreacted explosive. Between 5 and 40 GPa the speeds are correct to 3 %.
 """
 
 from typing import NamedTuple

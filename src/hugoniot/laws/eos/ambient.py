@@ -5,7 +5,7 @@ Hugoniot, with the upstream density as its reference density:
 
 $$p(\rho, e) = p_a + p_{\text{base}}(\rho, e'), \qquad e' = e - e_a - p_a\,(v_a - v), \qquad v = 1/\rho, \; v_a = 1/\rho_0$$
 
-with $e'$ counted from the reference energy of the base law. The jump condition $e - e_a = \tfrac12(p + p_a)(v_a - v)$ becomes
+where $e' = 0$ is the reference energy of the base law. The jump condition $e - e_a = \tfrac12(p + p_a)(v_a - v)$ becomes
 $e' = \tfrac12(p - p_a)(v_a - v)$, so shocks from the upstream state have the shock and particle velocities of the base law. For
 $U_s = c_a + s_au_p$ the Hugoniot is
 

@@ -1,7 +1,7 @@
 r"""Grain contact: a law fitted to a powder, stiffened above the density of its grains, where the fit is too soft.
 
 A Hugoniot fitted to a powder is not valid at densities where nothing was measured: with a slope $s < 1$ its pressure stays finite even at
-zero volume (J-E16), although the grains would long since fill the space. This law adds the resistance of the grains above their density
+zero volume (J-E16), although the grains fill the space at a finite density. This law adds the resistance of the grains above their density
 $\rho_s$, along a Murnaghan curve with their bulk modulus $K$ and its pressure derivative $n$:
 
 $$p(\rho, e) = p_{\text{base}}(\rho,\, e - e_s) + p_s(\rho), \qquad
@@ -10,8 +10,8 @@ $$p(\rho, e) = p_{\text{base}}(\rho,\, e - e_s) + p_s(\rho), \qquad
 
 and $p_s = e_s = 0$ at lower densities, where the law is identical to the base law. For a solid with $U_s = c_0 + su_p$ use
 $K = \rho_sc_0^2$ and $n = 4s - 1$. Temperature and entropy are those of the base law at the energy $e - e_s$, and
-$c^2 = c_{\text{base}}^2 + (K/\rho_s)X^{n-1}$ for $X > 1$. At $\rho_s$ pressure and energy are continuous and the sound speed jumps up. A
-base law whose own compression limit lies below $\rho_s$ never reaches it.
+$c^2 = c_{\text{base}}^2 + (K/\rho_s)X^{n-1}$ for $X > 1$. At $\rho_s$ pressure and energy are continuous and the sound speed jumps up. If
+the compression limit of the base law lies below $\rho_s$, the grains never touch and this law has no effect.
 
 The thermal pressure is that of the base law. Its Grüneisen parameter is that of the powder, far below that of the solid at the same
 density, so hot grains occupy less space than they should. Where that matters, use a compaction law (`snow_plough`, `p_alpha`,

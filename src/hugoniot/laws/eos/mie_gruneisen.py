@@ -30,8 +30,8 @@ $$e_S = \frac{c_0^2}{s^2}\Big\{\left(1-\tfrac{\beta}{2}\right)\left(\tfrac1y - e
  + \tfrac12\left(1 - e^{\beta(1-y)}\right)
  - \left(1 - 2\beta + \tfrac{\beta^2}{2}\right) e^{-\beta y}\,[\mathrm{Ei}(\beta) - \mathrm{Ei}(\beta y)]\Big\},$$
 
-the exact solution of $de_S/d\eta - \Gamma_0 e_S = c_0^2\eta(1 - \Gamma_0\eta/2)/(1 - s\eta)^2$, which the source calls an error
-function (J-E8).
+the exact solution of $de_S/d\eta - \Gamma_0 e_S = c_0^2\eta(1 - \Gamma_0\eta/2)/(1 - s\eta)^2$. The source calls the
+integral an error function (J-E8).
 
 Source: Starkenberg, ARL-TR-2161, A-4, A-6.2, A-11; Herrmann, WL-TR-64-107, C.5, C.6, C.12; Jordan (2011), eq. 5.1.4 to 5.1.10.
 """

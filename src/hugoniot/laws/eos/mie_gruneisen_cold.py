@@ -1,17 +1,19 @@
-r"""Mie-Grüneisen equation of state of a linear Hugoniot, written on its exact cold curve.
+r"""Mie-Grüneisen equation of state with a linear Us-up relation, written in terms of its exact cold curve (at 0 K).
 
-It has the pressures of `mie_gruneisen` and differs in the temperature alone, which is counted from the cold curve and therefore depends
-on the cold energy $E_{00}$. Use it to compare with results on cold curves; otherwise `mie_gruneisen` needs one parameter less.
+Its pressures are those of `mie_gruneisen`. Only the temperature differs: it is zero on the cold curve, and therefore depends on the energy
+$E_{00}$ at the reference density and 0 K. Use the law to compare with results that were computed with a cold curve. In other cases use
+`mie_gruneisen`, which needs no cold energy.
 
 $$p = P_c + \rho_0\Gamma_0(e - E_c), \qquad P_c = \rho_0\frac{dE_c}{d\eta}, \qquad \eta = 1 - \rho_0/\rho$$
 
-In compression the cold energy $E_c$ satisfies
+In compression the cold energy $E_c$ and cold pressure $P_c$ follow from
 
-$$\frac{dE_c}{d\eta} - \Gamma_0E_c = S(\eta) = \frac{c_0^2\,\eta\,(1 - \Gamma_0\eta/2)}{(1 - s\eta)^2}, \qquad E_c(0) = E_{00}.$$
+$$\frac{dE_c}{d\eta} - \Gamma_0E_c = f(\eta) = \frac{c_0^2\,\eta\,(1 - \Gamma_0\eta/2)}{(1 - s\eta)^2}, \qquad E_c(0) = E_{00}.$$
 
-The solution is $E_c = E_{00}e^{\Gamma_0\eta} + e_S$ with the isentrope $e_S$ given under `mie_gruneisen`, which also describes tension.
-It contains an exponential integral, not an error function (J-E8). Substituted, it gives $p = \rho_0(S + \Gamma_0e)$: shock states are
-correct for any $\Gamma_0$ and do not depend on $E_{00}$. The temperature is $T = (e - E_c)/c_v$ with a constant specific heat $c_v$. For
+The solution is $E_c = E_{00}\exp(\Gamma_0\eta) + e_S$. The page of `mie_gruneisen` gives the energy $e_S$ on the isentrope through the
+reference state, in compression and in tension; in compression $e_S$ contains an exponential integral, which the source calls an error
+function (J-E8). With this solution the pressure is $p = \rho_0(f + \Gamma_0e)$, so shock states are correct for any $\Gamma_0$ and do not
+depend on $E_{00}$. The temperature is $T = (e - E_c)/c_v$ with a constant specific heat $c_v$. For
 a reference state of temperature $T_0$ set $E_{00} = -c_vT_0$.
 
 The closed form needs $\Gamma_0 \le 8s$.

@@ -8,7 +8,7 @@ $$p = p_H + \rho\Gamma\,(e - e_H), \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_
 
 $\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
 `gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused. Below $\rho_0$ the reference curve is the
-isentrope of limited tension of `mie_gruneisen`, with $s_1$ for $s$. The law ends at the pole of $p_H$, or before it where $u_p$ no longer
+isentrope that `mie_gruneisen` uses in tension, with $s_1$ for $s$. The law ends at the pole of $p_H$, or before it where $u_p$ no longer
 rises with $\eta$. The temperature is that of `mie_gruneisen_linear_gamma` with this Hugoniot; its isentrope is integrated with 16 Gauss
 points (error below $10^{-12}$ of the energy up to 70 % of the limiting compression).
 

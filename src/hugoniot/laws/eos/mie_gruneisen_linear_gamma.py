@@ -7,7 +7,7 @@ $$p = p_R(\eta) + \rho\Gamma\,[e - e_R(\eta)], \qquad \rho\Gamma = \rho_0(\Gamma
   \mu = \rho/\rho_0 - 1, \quad \eta = 1 - \rho_0/\rho$$
 
 The reference curves $p_R$ and $e_R$ are those of `mie_gruneisen`: the principal Hugoniot $p_R = \rho_0c_0^2\eta/(1-s\eta)^2$,
-$e_R = p_R\eta/(2\rho_0)$ in compression, an isentrope of limited tension below $\rho_0$. $\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and
+$e_R = p_R\eta/(2\rho_0)$ in compression, an isentrope below $\rho_0$. $\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and
 $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant. Densities are limited to those where $\rho\Gamma$ is positive, and by the pole of the
 Hugoniot at $\eta = 1/s$ if $s > 1$; with $s < 1$ the fit ends at $u_p = c_0/(1 - s)$ (J-E16).
 

@@ -9,7 +9,7 @@ $$p = p_H + \rho\Gamma\,(e - e_H), \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_
 
 $\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
 `gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused. Below $\rho_0$ the reference curve is the
-isentrope of limited tension of `mie_gruneisen`, with $s_1$ for $s$.
+isentrope that `mie_gruneisen` uses in tension, with $s_1$ for $s$.
 
 For $s_2 > 0$ the root ends at $u_p = \sqrt{c_0/s_2}$, the compression $1/(s_1 + 2\sqrt{c_0s_2})$. For $s_2 < 0$ the law ends where the
 fitted $U_s$ is highest, $u_p = s_1/(2|s_2|)$, or where it has fallen to $u_p$. Use the fit only in the range of particle velocities in

@@ -1,15 +1,15 @@
-r"""Specific heat that varies with temperature, added to a law with a constant one.
+r"""Specific heat that varies with temperature, for an equation of state whose own specific heat is constant.
 
-The pressure is that of the base law. The specific heat is a power of the temperature at constant volume:
+The pressure is that of the base law. At constant volume the specific heat varies as a power of the temperature:
 
 $$T = T_S\left[1 + \frac{e - e_S}{w\,c_{v0}T_S}\right]^w, \qquad c_v = c_{v0}\left(\frac{T}{T_S}\right)^{(1-w)/w}$$
 
-$T_S(\rho)$ and $e_S(\rho)$ are temperature and energy on the isentrope of the base law through the reference state, $c_{v0}$ is its
-specific heat, and $w$ the exponent. $w = 1$ gives the base law, and $w < 1$ a specific heat that grows on heating. Temperature and
-specific heat in the reference state are those of the base law. With the entropy $s_1$ of the base law, zero in the reference state, the
-entropy is
+$T_S(\rho)$ and $e_S(\rho)$ are temperature and energy on the isentrope of the base law through the reference state, $c_{v0}$ is the
+specific heat of the base law, and $w$ the exponent. $w = 1$ gives the base law, and $w < 1$ a specific heat that grows on heating.
+Temperature and specific heat in the reference state are those of the base law. With the entropy $s_1$ of the base law, zero in the
+reference state, the entropy is
 
-$$s = w\,c_{v0}\,\frac{y^{1-w} - 1}{1-w}, \qquad y = 1 + \frac{e^{s_1/c_{v0}} - 1}{w}.$$
+$$s = w\,c_{v0}\,\frac{y^{1-w} - 1}{1-w}, \qquad y = 1 + \frac{\exp(s_1/c_{v0}) - 1}{w}.$$
 
 The source calls $w < 1$ inconsistent with quantum statistics at high temperature.
 
@@ -108,7 +108,7 @@ EOS.add(
     build=build,
     units={"base": "law", "exponent": "1"},
     meaning={"base": "equation of state with a constant specific heat, which this law changes",
-             "exponent": "exponent of the temperature; 1 for that of the base law"},
+             "exponent": "w in the equations; 1 gives the specific heat of the base law"},
     box={"rho": (1717.0, 2600.0), "e": (1e6, 5e6)},
     references=("Starkenberg, ARL-TR-2161, A-4",),
 )

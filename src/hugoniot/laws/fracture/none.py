@@ -2,8 +2,8 @@
 
 $$r = 0$$
 
-A material breaks when its failure ratio $r$ reaches 1; here it stays at zero. It is the law of a material without
-`[material.NAME.fracture]`.
+A material breaks when its failure ratio $r$ reaches 1; here it stays at zero. This law is the
+default of a material without a table `[material.NAME.fracture]`.
 """
 
 from typing import NamedTuple

@@ -2,8 +2,8 @@ r"""Fracture of a zone whose pressure falls below a limit while its volume excee
 
 $$P < P_S \;\text{ and }\; V > V_S, \qquad P_S < 0$$
 
-* $P$: pressure of the zone; $P_S$: its limit, a tension and therefore negative, `pressure_limit`
-* $V = \rho_0/\rho$: volume relative to that at the reference density $\rho_0$; $V_S$: its limit, `volume_limit`
+* $P$: pressure of the zone; $P_S$: limit of $P$, a tension and therefore negative, `pressure_limit`
+* $V = \rho_0/\rho$: volume relative to that at the reference density $\rho_0$; $V_S$: limit of $V$, `volume_limit`
 
 Where both conditions hold, a void opens at a face of the zone. The condition on the volume keeps hot, dense material from breaking in a
 passing rarefaction. The law does not limit the tension: it may exceed $|P_S|$ before the volume reaches $V_S$.

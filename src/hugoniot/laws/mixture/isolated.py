@@ -9,12 +9,12 @@ $$p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad e_r - Q = e_S(v_r)$$
 * $p_r$, $p_p$: pressures of the two equations of state; $Q$: chemical energy, `detonation_energy`
 * $e_S$: energy on the isentrope of the reactants through their state behind the last shock
 
-Use it for fast burning at hot spots, in which the phases have no time to exchange heat. It is the default for explosives that burn at a
-rate (except `jwl_plus_plus`).
+Use it for fast burning at hot spots, in which the phases have no time to exchange heat. It is the default with the burn laws `arrhenius`,
+`forest_fire`, `ignition_growth`, `pressure_power` and `rate_table`.
 
-**First products.** The energy of the products is $e_p = (e - (1-\lambda) e_r)/\lambda$. At small $\lambda$ this magnifies any error of
-$e$. Below the burn fraction `nascent_limit` the isentrope of the reactants is therefore taken through the state of the mixture itself. A
-limit of 1e-6 suits energies exact to round-off; a run, whose energy has errors of about 1e-4 in a shock, uses 1e-3.
+**Small burn fractions.** The energy of the products is $e_p = (e - (1-\lambda) e_r)/\lambda$. At small $\lambda$ this magnifies any error
+of $e$. Below the burn fraction `nascent_limit` the isentrope of the reactants is therefore taken through the state of the mixture itself.
+The limit is 1e-6 in tools whose energies are exact to round-off, and 1e-3 in a run, whose energies have errors of about 1e-4 in a shock.
 
 **Numerical solution.** The unknown is $w = v_r - v_p$; with $v_r = v + \lambda w$ and $v_p = v - (1-\lambda)w$ the sum of volumes holds
 identically. The pressure difference $p_r - p_p$ decreases monotonically with $w$, at the rate $I^2 = \lambda i_r^2 + (1-\lambda) i_p^2$,

@@ -1,15 +1,17 @@
-r"""Pressures weighted by the burn fraction, with both phases at the density and energy of the mixture.
+r"""Pressures weighted by the mass fractions, with both phases at the density and specific internal energy of the mixture.
 
-$$p = (1-\lambda)\,p_r(\rho, e - Q) + \lambda\,p_p(\rho, e) \;(\text{weighted pressures}), \qquad
-  p = \lambda\,p_p(\rho, e) \;(\text{burned products})$$
+$$p = (1-\lambda)\,p_r(\rho, e - Q) + \lambda\,p_p(\rho, e) \;(\texttt{weighted\_pressures}), \qquad
+  p = \lambda\,p_p(\rho, e) \;(\texttt{burned\_products})$$
 
 * $\lambda$: burn fraction, the mass fraction of products
 * $\rho$, $e$, $p$: density, specific internal energy and pressure of the mixture
-* $p_r$, $p_p$: pressures of the equations of state of reactants and products; $Q$: chemical energy, `detonation_energy`
+* $p_r$, $p_p$: pressures of the equations of state of reactants and products
+* $Q$: chemical energy, `detonation_energy`; $e$ includes it, but the equation of state of the reactants does not
 
-The phases are not in equilibrium, and the sum has no thermodynamic meaning. `weighted_pressures` is the simple rule of many codes; it is
-the default with the burn laws `jwl_plus_plus` and `threshold`. `burned_products` leaves out the pressure of the reactants and is the
-closure of programmed burns.
+The phases are not in equilibrium, and the weighted pressure has no thermodynamic meaning. `weighted_pressures` is the simple rule of many
+codes; it is the default with the burn laws `jwl_plus_plus` and `threshold`. `burned_products` leaves out the pressure of the reactants; it
+is the default with the burn laws `programmed`, `beta` and `programmed_beta`. If the equation of state of the products contains no chemical
+energy, as that of an ideal gas, `burned_products` needs the key `detonation_energy` of the material.
 """
 
 from typing import NamedTuple

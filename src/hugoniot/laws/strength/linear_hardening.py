@@ -2,12 +2,13 @@ r"""Elastic-plastic solid with linear isotropic hardening, up to an optional lim
 
 $$G = G_0, \qquad Y = \min\left(Y_0 + H\,\varepsilon_p,\; Y_{\max}\right)$$
 
-* $G_0$: shear modulus, `shear_modulus`
+* $G$: shear modulus, with the constant value $G_0$, `shear_modulus`
 * $Y$: flow stress in uniaxial stress; $Y_0$: its value at first yield, `yield_stress`; $Y_{\max}$: its limit, `largest_stress`
 * $H$: hardening modulus, `hardening_modulus`; $\varepsilon_p$: accumulated equivalent plastic strain
 
 $H$ is the slope of the stress against the *plastic* strain. From the tangent modulus $E_t$ of a tensile test and Young's modulus $E$ it
-is $H = E E_t / (E - E_t)$. The example is the copper of the verification problem `taylor_copper`.
+is $H = E E_t / (E - E_t)$. The constants of the example are those of
+the copper bar in the verification problem `taylor_copper`.
 """
 
 from typing import NamedTuple

@@ -2,8 +2,8 @@ r"""No strength: the material is a fluid.
 
 $$G = 0, \qquad Y = 0$$
 
-The shear modulus $G$ and the flow stress $Y$ vanish, so the stress is the pressure alone. It is the law of a material without
-`[material.NAME.strength]`.
+The shear modulus $G$ and the flow stress $Y$ vanish, so the stress is the pressure alone. It is the default of a material
+without a table `[material.NAME.strength]`.
 """
 
 from typing import NamedTuple

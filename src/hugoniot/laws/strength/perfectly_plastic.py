@@ -2,8 +2,8 @@ r"""Elastic-perfectly plastic solid with constant shear modulus and yield stress
 
 $$G = G_0, \qquad Y = Y_0$$
 
-* $G_0$: shear modulus, `shear_modulus`
-* $Y_0$: flow stress in uniaxial stress, `yield_stress`
+* $G$: shear modulus, with the constant value $G_0$, `shear_modulus`
+* $Y$: flow stress in uniaxial stress, with the constant value $Y_0$, `yield_stress`
 
 The simplest strength law, suited to shocks in which hardening and heating change the flow stress little.
 """

@@ -3,12 +3,13 @@ r"""Herrmann's artificial viscosity: linear and quadratic in the rate of compres
 $$q = \rho\left\{B_2\,\Delta x\,c\,\frac{\dot\rho}{\rho} + \left[B_1\,\Delta x\,\frac{\dot\rho}{\rho}\right]^2\right\}, \qquad
   \dot\rho > 0$$
 
-* $q$: viscous pressure, added to the pressure of a zone in compression and zero in expansion
+* $q$: viscous pressure; it is added to the pressure of a zone under compression, and is zero in a zone that expands
 * $\rho$: density; $\dot\rho$: its rate of change; $c$: longitudinal sound speed; $\Delta x$: width of the zone
 * $B_1$, $B_2$: `quadratic`, `linear`
 
-The velocity difference across the zone, with its sign reversed, is used for $\Delta x\,\dot\rho/\rho$, to which it is equal in planar flow.
-The law is then identical to `landshoff`. The report gives no values of $B_1$ and $B_2$, so the defaults are those of `landshoff`.
+The velocity difference across the zone, with its sign reversed, takes the place of $\Delta x\,\dot\rho/\rho$; in planar flow both are
+equal. The law is therefore identical to `landshoff`. The report gives no values of $B_1$ and $B_2$, so the defaults are those of
+`landshoff`.
 """
 
 from typing import NamedTuple

@@ -2,12 +2,12 @@ r"""The quadratic artificial viscosity of the KB codes, acting only in compressi
 
 $$q = C\,\rho\,(\Delta u)^2$$
 
-* $q$: viscous pressure, added to the pressure of a zone in compression and zero in expansion
+* $q$: viscous pressure; it is added to the pressure of a zone under compression, and is zero in a zone that expands
 * $\rho$: density; $\Delta u$: velocity difference across the zone
 * $C$: `quadratic`, not squared
 
-The KB codes print $C\rho|\Delta u|(-\Delta u)$, which also acts in expansion (K-E6); `kb_two_sided` is that form. The law has no linear
-term, so oscillations behind a shock decay slowly.
+The manual of the KB codes (Field Precision, 2000) prints $C\rho|\Delta u|(-\Delta u)$, which also acts in expansion (K-E6); the law
+`kb_two_sided` has this form. The law `kb` has no linear term, so oscillations behind a shock decay slowly.
 """
 
 from typing import NamedTuple

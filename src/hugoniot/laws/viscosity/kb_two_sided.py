@@ -7,7 +7,8 @@ $$q = -C\,\rho\,|\Delta u|\,\Delta u$$
 * $C$: `quadratic`, not squared
 
 In expansion $q < 0$. This tension converts motion into heat where the flow is smooth (K-E6), so releases are too warm and too slow.
-Use this law only to reproduce the KB codes, whose threshold burn depends on it, and `kb` for anything else.
+Use this law only to reproduce results of the KB codes (Field Precision, 2000), whose threshold burn depends on it, and `kb` for anything
+else.
 """
 
 from typing import NamedTuple

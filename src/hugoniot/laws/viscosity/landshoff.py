@@ -2,7 +2,7 @@ r"""Artificial viscosity of von Neumann-Richtmyer and Landshoff, with the true s
 
 $$q = C_0^2\,\rho\,(\Delta u)^2 + C_L\,\rho\,c\,|\Delta u|$$
 
-* $q$: viscous pressure, added to the pressure of a zone in compression and zero in expansion
+* $q$: viscous pressure; it is added to the pressure of a zone under compression, and is zero in a zone that expands
 * $\rho$: density; $\Delta u$: velocity difference across the zone
 * $c$: longitudinal sound speed
 * $C_0$, $C_L$: `quadratic`, `linear`

@@ -2,7 +2,7 @@ r"""Wilkins' artificial viscosity: von Neumann-Richtmyer and Landshoff, with $\s
 
 $$q = C_0^2\,\rho\,(\Delta u)^2 + C_L\,\rho\,a\,|\Delta u|, \qquad a = \sqrt{P/\rho} \text{ for } P > 0, \text{ else } 0$$
 
-* $q$: viscous pressure, added to the pressure of a zone in compression and zero in expansion
+* $q$: viscous pressure; it is added to the pressure of a zone under compression, and is zero in a zone that expands
 * $\rho$: density; $\Delta u$: velocity difference across the zone
 * $P$: pressure of the zone
 * $C_0$, $C_L$: `quadratic`, `linear`
