@@ -62,8 +62,8 @@ PURPOSES = {
                        "available from Python only.",
     "second_shock": "How much the Hugoniot of a second shock deviates from the principal Hugoniot, for materials that follow Wilkins' "
                     "quadratic equation of state at moderate compression.",
-    "shock_lines": "The Rayleigh and Fanno lines of a shock: the states that satisfy two of its three conservation laws. They help "
-                   "to interpret the states inside a viscous or conducting shock.",
+    "shock_lines": "The Rayleigh line of a shock, on which mass and momentum are conserved, and its Fanno line, on which mass and energy "
+                   "are. The lines help to interpret the states inside a viscous or conducting shock.",
     "gurney": "The velocity of a metal plate, cylinder or sphere driven by an explosive, from Gurney's formulas, and the exact motion of "
               "a plate at the end of a slab of explosive.",
     "fits": "Fits to data: a Us-up relation to shock velocities, a JWL equation of state to a CJ state and an expansion curve, and a "
@@ -78,8 +78,8 @@ PURPOSES = {
 # public functions of the tools that serve other modules only
 FOR_DEVELOPERS = {"states.has", "states.evaluate", "isentrope.expansion_to", "isentrope.grid", "isentrope.elastic", "fits.read_columns",
                   "znd.zone_of", "sesame.looks_like"}
-MATERIALS = (" An argument `material` takes a material of the library, such as `hugoniot.materials.library.find(\"copper\")`, or the "
-             "parameters of an equation of state.")
+MATERIALS = (' The functions take as a material one of the library, such as `hugoniot.materials.library.find("copper")`, or the parameters '
+             'of an equation of state.')
 INITIAL = " The class `Initial`, for the state ahead of a shock, is in `hugoniot.theory.upstream`."
 # module of exact solutions: title of its page
 TITLES = {

@@ -5,7 +5,7 @@ import re
 LABEL = r"[WKHSJ]-E\d+"
 _BARE = re.compile(rf"\(({LABEL}(?:, {LABEL})*)\)")
 # documents that are cited by a short name alone
-_SHORT = ("Wilkins", "Jordan", "KB codes")
+_SHORT = {"Wilkins": r"\bWilkins, (?:appendix|[AB]\.)", "KB codes": r"\bKB codes,"}
 
 
 def spelled_out(text: str) -> str:
@@ -22,6 +22,6 @@ def explained(lines: list[str], errors: str) -> list[str]:
     if found:
         subject = f"{found[0]} refers" if len(found) == 1 else f"Labels such as {found[0]} refer"
         return [text, f"{subject} to the list of {listed}, which also names the documents.", ""]
-    cited = [name for name in _SHORT if re.search(rf"(?:^|[^'])\b{name}\b(?:,| \(?2011| manual)", text)]
+    cited = [name for name, pattern in _SHORT.items() if re.search(pattern, text)]
     names = " and ".join(cited)
     return [text, *([f"The list of {listed} names the document{'s' if cited[1:] else ''} cited as {names}.", ""] if cited else [])]

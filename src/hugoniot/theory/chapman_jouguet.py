@@ -1,12 +1,13 @@
 r"""Chapman-Jouguet state of any law, by tangency of the Rayleigh line; detonation Hugoniot and overdriven states.
 
-The products leave the front at their own sound speed $c$. With the specific volume $v = 1/\rho$, the index 0 for the state ahead and $x =
-v_0 - v$ this means that on the detonation Hugoniot
+In the CJ state the products leave the front at their own sound speed $c$. With the specific volume $v = 1/\rho$, the index 0 for the state
+ahead and $x = v_0 - v$, this is the point of the detonation Hugoniot at which
 
 $$F(x) = \rho^2 c^2\,x - (p - p_0) = 0, \qquad D = v_0\sqrt{(p - p_0)/x}$$
 
-which is the point of least detonation velocity $D$. The condition holds for any equation of state; no gamma-law formula is used. The
-chemical energy is part of the energy of the state ahead (JWL) or is given as its `heat`.
+Here the Rayleigh line is tangent to the detonation Hugoniot, and the detonation velocity $D$ has its minimum. The condition holds for any
+equation of state; no gamma-law formula is used. The energy of the state ahead includes the chemical energy (JWL), or the chemical energy
+is given with this state as `heat`.
 
 Implementation: F is negative near constant volume and changes sign once; a scan brackets the sign change, which is then refined.
 
@@ -33,7 +34,12 @@ NO_CHARGE = 1e-3     # of the stiffness: less pressure at constant volume is rou
 
 @dataclass(frozen=True)
 class Detonation:
-    """The CJ point: `state` (its shock_velocity is the detonation velocity), the state ahead, and the residual of the tangency."""
+    """The CJ point.
+
+    state      the CJ state; its shock_velocity is the detonation velocity
+    initial    the state ahead
+    tangency   relative residual of the condition F = 0
+    """
 
     state: States
     initial: Initial
@@ -55,7 +61,8 @@ class Detonation:
 
 
 def explosive(material, density: float | None = None, heat: float = 0.0) -> Initial:
-    """The unreacted explosive ahead of a detonation, an `Initial`: the reference density and energy of its products, at zero pressure.
+    """The state ahead of a detonation, an `Initial`: unreacted explosive at zero pressure, with the reference density and energy that the
+    equation of state of the products gives.
 
     density   density of the charge, kg/m3; default: the reference density
     heat      chemical energy, J/kg, added to the reference energy; needed for equations of state that do not contain it, such as a gas
@@ -75,7 +82,7 @@ def cj(material, initial: Initial | None = None) -> Detonation:
     material   the products
     initial    state ahead, with its heat; default: `explosive(material)`
 
-    Raises OutOfRange if no energy is released, NoSolution if the tangency is not met to 1e-10.
+    Raises OutOfRange if no energy is released, NoSolution if the condition F = 0 is not met to a relative residual of 1e-10.
     """
     par = law_of(material)
     ahead = initial or explosive(par)
@@ -151,7 +158,7 @@ def detonation_hugoniot(material, initial: Initial | None = None, *, points: int
 
     points   number of states, evenly spaced in particle velocity
     up_to    highest particle velocity, m/s; default: 1.4 times that of the CJ point
-    once     as in `shock`
+    once     True saves the compilation if only one curve is needed, as in `hugoniot.theory.hugoniot.shock`
     """
     par = law_of(material)
     ahead = initial or explosive(par)
@@ -175,7 +182,8 @@ def on_isentrope(isentrope: JWLIsentrope, rho0: float) -> Tangency:
     isentrope   parameters of the isentrope
     rho0        reference density of the explosive, kg/m3
 
-    The Rayleigh line through the relative volume V = 1 and zero pressure is tangent there: -dp/dV = p/(1 - V). Raises NoSolution.
+    At this point the isentrope is tangent to the Rayleigh line through the relative volume V = 1 and zero pressure, -dp/dV = p/(1 - V).
+    Raises NoSolution if there is no such point.
     """
     from scipy.optimize import brentq
 

@@ -4,19 +4,28 @@ The equation of state is, with constants $a$, $b$ (pressures) and $c$ (a number)
 
 $$P = a\mu + b\mu^2 + c(1+\mu)E, \qquad \mu = \rho/\rho_0 - 1$$
 
-where $E$ is the energy per volume at the reference density $\rho_0$. The principal Hugoniot (A.1) and its cubic series (A.2) are
+where $E$ is the energy per volume at the reference density $\rho_0$. Labels such as A.1 are equations of Wilkins. The principal Hugoniot
+(A.1) and its cubic series (A.2) are
 
 $$P = \frac{a\mu + b\mu^2}{1 - \tfrac c2\mu} = a\mu + (b + \tfrac{ac}2)\mu^2 + \tfrac c2(b + \tfrac{ac}2)\mu^3 + \dots$$
 
-A second shock starts from the point $\mu_1$ of it, with the pressure $P_1$ and the relative volume $V_1 = 1/(1 + \mu_1)$. (A.3) is its
-exact Hugoniot, and (A.4) the series
+A second shock starts from a point of the principal Hugoniot, with the compression $\mu_1$, the pressure $P_1$ and the relative volume
+$V_1 = 1/(1 + \mu_1)$. Its exact Hugoniot (A.3) is, with $\delta = 1 - V_1$ and $V = 1/(1+\mu)$,
+
+$$P = \frac{a\mu + b\mu^2 + \tfrac c2P_1\mu}{1 - \tfrac c2\left(\mu - \delta/V\right)}$$
+
+and the corrected series (A.4) is
 
 $$P = \Big[a\mu + (b + \tfrac{ac}2)\mu^2 + \tfrac c2(b + \tfrac{ac}2)\mu^3\Big]
   - \frac c2\mu\Big[a\frac\delta V + (b + ac)\mu\frac\delta V - \frac c2 a\frac{\delta^2}{V^2}\Big]
-  + \frac c2\mu P_1\Big[1 + \frac c2\Big(\mu - \frac\delta V\Big)\Big], \qquad \delta = 1 - V_1, \quad V = \frac1{1+\mu}$$
+  + \frac c2\mu P_1\Big[1 + \frac c2\Big(\mu - \frac\delta V\Big)\Big]$$
 
-The printed form of (A.4) is damaged, and 17 to 21 % too high (W-E1). The difference between the two Hugoniots is of third order in the
-compression, not of higher order as the source says.
+In our copy the printed form of (A.4) is damaged. As far as it is legible it exceeds (A.3) by 17 to 21 % at $\mu$ = 0.15 to 0.25, for
+$\mu_1 = 0.10$ and Wilkins' constants (W-E1). The difference between the two Hugoniots is of third order in the compression, not of higher
+order as the source says.
+
+In the functions, `mu` and `mu1` are the compressions $\mu$ and $\mu_1$, and `law` is a `Quadratic`, the constants of the equation of state.
+Pressures are in the unit of $a$ and $b$.
 
 Source: Wilkins, appendix A.
 """
@@ -32,7 +41,7 @@ from hugoniot.theory.states import law_of
 
 
 class Quadratic(NamedTuple):
-    """Constants of the equation of state: a and b (in one unit of pressure) and c."""
+    """Constants of the equation of state: a and b, pressures in the same unit, and c, a number."""
 
     a: float
     b: float
@@ -40,7 +49,7 @@ class Quadratic(NamedTuple):
 
 
 def of_material(material) -> tuple[Quadratic, float]:
-    """The constants (Pa) that represent a material near its reference state, and its reference density, kg/m3.
+    """A `Quadratic` that represents a material near its reference state, with a and b in Pa, and the reference density, kg/m3.
 
     a is the bulk modulus and c the Grüneisen parameter there; b follows from the curvature of the principal Hugoniot at weak shocks. For
     a linear Us-up relation of slope s and constant Grüneisen parameter it is a (2s - 1 - c/2).
@@ -58,20 +67,20 @@ def of_material(material) -> tuple[Quadratic, float]:
 
 
 def principal(mu, law: Quadratic):
-    """(A.1): pressure on the principal Hugoniot at the compressions mu. Raises OutOfRange from mu = 2/c on, where it is infinite."""
+    """(A.1): pressure on the principal Hugoniot. Raises OutOfRange for mu of 2/c and above: the pressure is infinite at 2/c."""
     mu = _checked(mu, 2.0 / law.c, "principal Hugoniot")
     return (law.a * mu + law.b * mu**2) / (1.0 - 0.5 * law.c * mu)
 
 
 def principal_series(mu, law: Quadratic):
-    """(A.2): its cubic series, which Wilkins gives for mu < 0.25."""
+    """(A.2): pressure on the principal Hugoniot by the cubic series, which Wilkins gives for mu < 0.25."""
     mu = np.asarray(mu, float)
     k = law.b + 0.5 * law.a * law.c
     return (law.a * mu + k * mu**2 + 0.5 * law.c * k * mu**3)[()]
 
 
 def second(mu, mu1: float, law: Quadratic):
-    """(A.3): pressure on the Hugoniot from the state mu1 of the principal one, for mu >= mu1."""
+    """(A.3): pressure on the Hugoniot of the second shock, for mu >= mu1."""
     mu = np.asarray(mu, float)
     if (mu < mu1).any():
         raise OutOfRange(f"a second shock from mu1 = {mu1} compresses further: give mu >= {mu1}")
@@ -83,7 +92,7 @@ def second(mu, mu1: float, law: Quadratic):
 
 
 def second_series(mu, mu1: float, law: Quadratic):
-    """(A.4) corrected (W-E1): its series, with P1 from (A.2) as in Wilkins."""
+    """(A.4) corrected (W-E1): pressure on the Hugoniot of the second shock by the series, with P1 from (A.2) as in Wilkins."""
     mu = np.asarray(mu, float)
     a, b, c = law
     shift, p1 = _shift(mu, mu1), principal_series(mu1, law)
@@ -92,7 +101,7 @@ def second_series(mu, mu1: float, law: Quadratic):
 
 
 def second_series_as_printed(mu, mu1: float, law: Quadratic):
-    """(A.4) as printed, to show that this form is wrong."""
+    """(A.4) as printed, to show that this form is wrong; a, b and c as Wilkins gives them, in Mbar, because the form mixes units."""
     mu = np.asarray(mu, float)
     a, b, c = law
     shift = _shift(mu, mu1)
@@ -108,7 +117,7 @@ def leading_difference(mu, mu1: float, law: Quadratic):
 
 
 def comparison(mu, mu1: float, law: Quadratic) -> dict:
-    """Pressures (Pa) of a second shock from mu1 and of the principal Hugoniot at the compressions mu, both exact and as series."""
+    """Pressures of a second shock from mu1 and of the principal Hugoniot at the compressions mu, both exact and as series."""
     first, again = principal(mu, law), second(mu, mu1, law)
     return {"principal_pressure": first, "principal_series": principal_series(mu, law), "second_pressure": again,
             "second_series": second_series(mu, mu1, law), "difference": again - first,

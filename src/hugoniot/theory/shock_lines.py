@@ -5,7 +5,7 @@ In the frame of the shock, with the mass flux $m = \rho_0U_s$, the specific volu
 $$\text{Rayleigh (mass, momentum):}\quad p = p_0 + m^2(v_0 - v), \qquad
   \text{Fanno (mass, energy):}\quad e + p(\rho, e)\,v + \tfrac12m^2v^2 = e_0 + p_0v_0 + \tfrac12m^2v_0^2$$
 
-They intersect in the states ahead of and behind the shock, where all three conservation laws hold. Inside a shock with heat conduction
+The two lines cross at the states ahead of and behind the shock, where all three conservation laws hold. Inside a shock with heat conduction
 but no viscosity the pressure lies on the Rayleigh line; with viscosity but no conduction the total stress (pressure and viscous stress)
 does. Along the Fanno line the entropy has its maximum where the flow is sonic.
 
@@ -28,7 +28,11 @@ WIDEST = 1e12     # J/kg: how far the energy of a Fanno state is searched
 
 @dataclass(frozen=True)
 class ShockLines:
-    """Both lines over density, from the state ahead to a tenth of the compression beyond the shock, SI; `behind` is the shocked state."""
+    """Pressure (Pa) and energy (J/kg) on both lines, and pressure on the Hugoniot, at the same densities (kg/m3).
+
+    The densities begin at the state ahead and end beyond the shocked state, `behind`, where the specific volume has changed by a tenth
+    more than in the shock.
+    """
 
     initial: Initial
     behind: States
@@ -46,13 +50,13 @@ class ShockLines:
 
 
 def shock_lines(material, initial: Initial | None = None, points: int = 101, **strength) -> ShockLines:
-    """The lines of a shock.
+    """The Rayleigh line, the Fanno line and the Hugoniot of a shock, as `ShockLines`.
 
     initial    state ahead, an `Initial`; default: the reference state
     points     number of points of each line
-    strength   one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3)
+    strength   exactly one of pressure, particle_velocity, shock_velocity and density behind the shock, as in `pressure=20e9` (SI)
 
-    Raises NoSolution where a line has no state.
+    Raises NoSolution if the equation of state has no state on a line at one of the densities.
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)

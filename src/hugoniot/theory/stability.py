@@ -36,7 +36,7 @@ CLOSEST = 1.0005     # overdrive from which the tail is no longer sonic to the a
 
 @dataclass(frozen=True)
 class Mode:
-    """A mode.
+    """A mode of the disturbed wave.
 
     growth      growth rate, real part of alpha: in units of the velocity sqrt(p/rho) ahead per half-reaction length
     frequency   imaginary part of alpha, in the same unit

@@ -54,8 +54,8 @@ def dsd_expansion(geometry: str = "cylindrical", detonation_velocity: float = 80
 
     Positions are radii outside `radius`.
 
-    Fields: burn_time (s), shock_velocity. Numbers: first_velocity (of the front at `radius`), delay (time by which a distant radius burns
-    later than from a plane front, for every factor e in radius).
+    Fields: burn_time (s), shock_velocity. Numbers: first_velocity (of the front at `radius`), delay (n alpha/D, the
+    time that the front loses, relative to the velocity D, for every factor e in radius).
     """
     n = {"cylindrical": 1, "spherical": 2}.get(geometry, 0)
     if not n:

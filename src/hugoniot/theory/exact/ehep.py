@@ -18,7 +18,7 @@ $w_-(s) = (Us - L)/(s - t^*)$. The front of the gas continues at the speed $D$. 
 
 $$u = \tfrac12(w_+ + w_-), \qquad c = \tfrac12(w_+ - w_-), \qquad \rho = \frac{16\rho_0c}{9D}, \qquad p = \tfrac13\rho c^2$$
 
-* $D$: `detonation_velocity`; $\rho_0$: reference density of the explosive, `density`; $U$: `piston`; $L$: `length`
+* $D$: `detonation_velocity`; $\rho_0$: initial density of the explosive, `density`; $U$: `piston`; $L$: `length`
 
 Source: the problem "escape of HE products" of ExactPack (Dykema and others, UCRL-ID-147096); solution derived here.
 """
@@ -33,12 +33,13 @@ def ehep(detonation_velocity: float = 8500.0, density: float = 1600.0, piston: f
     """Escape of the products of a gamma = 3 slab, lit at a moving piston, into vacuum.
 
     detonation_velocity   detonation velocity D
-    density               reference density of the explosive
+    density               initial density of the explosive
     piston                speed of the piston from x = 0 at time 0, from 0 to D/4
     length                length of the slab
 
-    Fields: density, velocity, pressure, energy, sound_speed, burn_fraction; not a number (NaN) where the piston is; beyond the front of
-    the gas density 0 and the velocity of the front. Numbers: escape_time (of the front at the free end), piston_meets_escape_wave (s).
+    Fields: density, velocity, pressure, energy, sound_speed, burn_fraction; not a number (NaN) where the piston is; beyond the front of the
+    gas the density is 0 and the velocity that of the front. Numbers: escape_time (of the front at the free end),
+    piston_meets_escape_wave (s).
     The defaults are those of ExactPack.
     """
     d, up, length_ = detonation_velocity, piston, length

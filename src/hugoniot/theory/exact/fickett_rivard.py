@@ -2,19 +2,19 @@ r"""Steady detonation with a resolved reaction zone: an ideal-gas explosive that
 
 It tests a reactive solver: the pressure spike at the shock, the profile of the reaction zone and its end at a finite distance.
 
-The explosive obeys $e = pv/(\gamma-1) - \lambda Q$ with the burn fraction $\lambda$, the specific volume $v$ and $Q = D^2/2(\gamma^2-1)$,
-so that $D$ is the CJ velocity. There is no pressure ahead. Between the shock and the CJ point the state depends on $q = \sqrt{1-\lambda}$
-alone:
+The explosive obeys $e = pv/(\gamma-1) - \lambda Q$ with the burn fraction $\lambda$, the specific volume $v$ and the chemical energy $Q =
+D^2/[2(\gamma^2-1)]$, with which $D$ is the CJ velocity. Ahead of the shock the explosive is at rest at zero pressure. Between the shock and
+the CJ point the state depends on $q = \sqrt{1-\lambda}$ alone:
 
 $$p = \frac{\rho_0 D^2}{\gamma+1}(1+q), \qquad u = \frac{D}{\gamma+1}(1+q), \qquad \rho = \rho_0\frac{D}{D-u}$$
 
-A particle shocked a time $\tau$ ago has $q = 1 - k\tau/2$ and lies behind the shock by
+A particle that was shocked a time $\tau$ ago has $q = 1 - k\tau/2$, and its distance behind the shock is
 
 $$\xi(\tau) = D\left[\frac{\gamma-1}{\gamma+1}\,\tau + \frac{k\tau^2}{4(\gamma+1)}\right]$$
 
-The reaction ends at $\tau = 2/k$. Behind it the CJ state is uniform, as behind a piston at the CJ particle velocity.
+The reaction ends at $\tau = 2/k$. From there the CJ state extends unchanged to the piston, which moves at the CJ particle velocity.
 
-* $D$: `detonation_velocity`; $\rho_0$: reference density, `density`; $\gamma$: `gamma`; $k$: `rate`
+* $D$: `detonation_velocity`; $\rho_0$: initial density, `density`; $\gamma$: `gamma`; $k$: `rate`
 
 Source: Fickett & Davis, Detonation (1979), chapter 5, after Fickett & Rivard; the problem SDRZ of ExactPack (gamma = 3, k = 2/us).
 """
@@ -29,7 +29,7 @@ def fickett_rivard(detonation_velocity: float = 8500.0, density: float = 1600.0,
     """CJ detonation along +x with a resolved reaction zone, supported by a piston; the shock is at x = D t.
 
     detonation_velocity   detonation velocity D
-    density               reference density of the explosive
+    density               initial density of the explosive
     gamma                 ratio of specific heats, above 1
     rate                  constant k of the rate k sqrt(1 - burn fraction)
 

@@ -1,9 +1,9 @@
 r"""Kidder's shell: isentropic compression of a shell of ideal gas to any density, without a shock.
 
-It tests whether a solver heats gas in smooth convergent compression.
+It tests a solver for spurious heating in smooth compression: the entropy must stay constant.
 
-For $\gamma = 1 + 2/d$, with $d$ = 1, 2, 3 in planar, cylindrical and spherical geometry, every initial radius $r$ moves as $R = r\,h(t)$
-with $h = \sqrt{1 - (t/\tau)^2}$, and
+For $\gamma = 1 + 2/d$, with $d$ = 1, 2, 3 in planar, cylindrical and spherical geometry, a particle that starts at the radius $r$ is at
+$R = r\,h(t)$ with $h = \sqrt{1 - (t/\tau)^2}$, and
 
 $$\rho = \rho_0(R/h)\,h^{-2/(\gamma-1)}, \quad p = s\rho^\gamma, \quad u = -\frac{R\,t}{\tau^2 - t^2}, \qquad
 \rho_0(r)^{\gamma-1} = \frac{(r_2^2 - r^2)\rho_1^{\gamma-1} + (r^2 - r_1^2)\rho_2^{\gamma-1}}{r_2^2 - r_1^2}$$

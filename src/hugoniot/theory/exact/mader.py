@@ -11,7 +11,7 @@ $$u = \frac{2}{\gamma+1}\left(\frac xt - \frac D2\right), \qquad c = \frac D2 + 
 until $u$ equals the speed $U$ of the piston, at $x = (\tfrac D2 + \tfrac{\gamma+1}{2}U)\,t$; from there to the piston the state is
 uniform. Behind a wall ($U = 0$) the uniform region reaches half-way to the front.
 
-* $D$: `detonation_velocity`; $\rho_0$: reference density, `density`; $\gamma$: `gamma`; $U$: `piston`
+* $D$: `detonation_velocity`; $\rho_0$: initial density, `density`; $\gamma$: `gamma`; $U$: `piston`
 
 Source: Taylor, Proc. R. Soc. A 200 (1950) 235; Mader, Numerical Modeling of Detonations (1979); the problem of that name in ExactPack.
 """
@@ -26,7 +26,7 @@ def mader(detonation_velocity: float = 8000.0, density: float = 1875.0, gamma: f
     """Taylor wave: plane detonation along +x, lit at x = 0 at time 0, with a wall or a piston behind it.
 
     detonation_velocity   detonation velocity D
-    density               reference density of the explosive
+    density               initial density of the explosive
     gamma                 ratio of specific heats of the products, above 1
     piston                speed of the piston, from -D/(gamma - 1) to the CJ particle velocity D/(gamma + 1); 0: a wall
 

@@ -51,7 +51,7 @@ def plate_push(mass_ratio: float = 1.0, detonation_velocity: float = 8000.0, den
 
     mass_ratio            M/C, mass of the plate over that of the explosive
     detonation_velocity   detonation velocity D of the explosive
-    density               reference density of the explosive
+    density               initial density of the explosive
     length                length L of the slab, initial position of the plate
 
     The result is the motion of the plate over time. In Python the positions given are ignored, except for the shape of their array.

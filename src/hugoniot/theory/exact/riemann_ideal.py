@@ -1,6 +1,6 @@
 r"""Riemann problem of two ideal or stiffened gases, each with its own ratio of specific heats and stiffness pressure.
 
-It tests a solver with shocks, rarefactions, contacts and vacuum. The well-known shock tubes are here under names of their own.
+It tests a solver with shocks, rarefactions, contacts and vacuum. Well-known shock tubes have entries of their own below.
 
 Each side obeys $p = (\gamma-1)\rho e - \gamma p_\infty$ with the stiffness pressure $p_\infty$, which is 0 for an ideal gas. Let $P = p +
 p_\infty$, let $c$ be the sound speed, $c^2 = \gamma P/\rho$, and let the index k (L or R) denote the initial state of a side. The

@@ -45,8 +45,9 @@ def centred_rarefaction(gamma: float = 1.4, density: float = 1.0, pressure: floa
     pressure   pressure of the gas at rest
     speed      speed of the piston, towards -x
 
-    Fields: density, velocity, pressure, energy, sound_speed; not a number (NaN) behind the piston; in a vacuum 0, and the velocity of the
-    gas front. Numbers: head and tail (velocities of the edges of the fan), escape_speed (of the gas into vacuum).
+    Fields: density, velocity, pressure, energy, sound_speed; not a number (NaN) behind the piston; in a vacuum the density is 0
+    and the velocity that of the gas front. Numbers: head and tail (velocities of the edges of the fan), escape_speed (of the gas into
+    vacuum).
     """
     _check(gamma, density, pressure, speed)
     c0 = float(np.sqrt(gamma * pressure / density))

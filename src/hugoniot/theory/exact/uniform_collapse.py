@@ -1,6 +1,7 @@
-r"""Uniform collapse: a converging body in which every part is compressed alike, so that it stays uniform.
+r"""Uniform collapse: a body flows inwards with a velocity proportional to the radius, so that it stays uniform.
 
-It tests whether a solver keeps a uniform state uniform, and on its isentrope, in convergent compression of any material.
+It tests whether a solver keeps such a body uniform and on its isentrope. The geometry is planar, cylindrical or spherical, the material any
+of the library.
 
 $$u = -\frac{r}{t_c - t}, \qquad \rho = \rho_0\left(1 - \frac{t}{t_c}\right)^{-d}, \qquad e = e_S(\rho)$$
 
@@ -35,7 +36,8 @@ def uniform_collapse(geometry: str = "spherical", gamma: float = 5.0 / 3.0, dens
     material          name of a library material, which starts from its reference state; gamma, density and energy_per_mass are then not
                       used
 
-    Fields: density, velocity, pressure, energy. Numbers: first_density and first_pressure (at time 0), compression_at_half_time.
+    Fields: density, velocity, pressure, energy. Numbers: first_density and first_pressure (at time 0), compression_at_half_time (density at
+    half of collapse_time divided by that at time 0).
     Valid for times below collapse_time, and for a material as far as its equation of state reaches.
     """
     d = DIMENSION[geometry]
