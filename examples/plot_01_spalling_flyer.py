@@ -4,8 +4,8 @@ Spalling flyer plate
 
 An aluminium plate 2 mm thick hits a 4 mm plate at 700 m/s. The releases from the two free surfaces meet inside the target and
 pull it apart: where the tension reaches the spall strength, a void opens. The example shows the wave diagram, the free-surface
-velocity that an interferometer would record, and how much of the true spall strength this record reveals: the acoustic estimate
-is 0.395 GPa, a lower bound to the 1.0 GPa of the deck.
+velocity that an interferometer would record, and how far the spall strength inferred from this record falls short of the true
+one: the acoustic estimate is 0.395 GPa, the strength in the deck 1.0 GPa.
 """
 
 import tempfile

@@ -25,9 +25,9 @@ run = hugoniot.run("gap.toml", Path(tempfile.mkdtemp()) / "gap.run", report=Fals
 run.plot.xt("stress")
 
 # %%
-# The mean velocity of each plate. Without losses the flyer would pass its whole velocity on to the second plate, which is equal
-# to it. Strength, and waves that remain inside, keep some of it: the second plate reaches 468 m/s and the flyer keeps 32 m/s. The
-# third plate is twice as heavy and reaches about half of the velocity of the second.
+# The mean velocity of each plate. Without losses the flyer would pass its whole velocity on to the second plate, which has the
+# same mass. Because of strength and of waves that remain inside the plates, the second plate reaches only 468 m/s and the flyer
+# keeps 32 m/s. The third plate is twice as heavy and reaches about half of the velocity of the second.
 rows = run.arrays("budget")
 mass = [float(run.arrays("snapshots")["mass"][run.arrays("snapshots")["region"] == name].sum()) for name in rows["region"]]
 fig, ax = plt.subplots(figsize=(6.4, 3.4), layout="constrained")

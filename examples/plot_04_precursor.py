@@ -4,8 +4,8 @@ Elastic precursor
 
 Aluminium hits aluminium at 800 m/s. In each plate an elastic wave runs ahead of the plastic shock. Two gauges, 2 and 6 mm from
 the impact face, show how the two waves separate as they travel. The exact solution (dashed) is that of an elastic-perfectly
-plastic body driven by a piston at half the impact velocity. The simulation reproduces its stresses, 0.636 GPa behind the
-elastic wave and 6.636 GPa behind the shock, within 0.02 %.
+plastic body driven by a piston at half the impact velocity. The simulation reproduces the exact stresses, 0.636 GPa behind
+the elastic wave and 6.636 GPa behind the shock, within 0.02 %.
 """
 
 import tempfile

@@ -1,6 +1,6 @@
 """
-Collapsing shell that stops
-===========================
+Collapsing shell stopped by its strength
+========================================
 
 A cylindrical shell of beryllium moves inwards; its inner surface starts at a radius of 8 cm with 417.1 m/s. Only the yield
 stress of 330 MPa slows the shell down. In the exact solution (Howell and Ball), that of a rigid-plastic incompressible shell,

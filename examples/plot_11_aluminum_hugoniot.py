@@ -2,10 +2,9 @@
 Aluminium: Hugoniot, Rayleigh lines and a doubtful extrapolation
 ================================================================
 
-Pressure against particle velocity for aluminium 6061, after figure 2.3 of the manual of the KB codes. The straight Us-up line
-of the library is a fit to data up to 3.8 km/s (solid). The manual gives one state at 30 km/s, 3401 GPa, from a table that is
-not public. Extended to that velocity (dashed), the fit gives 3831 GPa, 13 % more. Outside the range of its data a Us-up fit is
-an extrapolation.
+Pressure against particle velocity for aluminium 6061, after figure 2.3 of the manual of the KB codes (Field Precision, 2000).
+The linear Us-up relation of the library is a fit to data up to 3.8 km/s (solid). The manual gives one state at 30 km/s, 3401
+GPa, from a table that is not public. Extrapolated to that velocity (dashed), the fit gives 3831 GPa, 13 % more.
 """
 
 import matplotlib.pyplot as plt

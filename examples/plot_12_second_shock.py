@@ -1,13 +1,13 @@
 """
-How far a second shock lies from the principal Hugoniot
-=======================================================
+Second shock compared with the principal Hugoniot
+=================================================
 
 Shocking a solid twice heats it less than shocking it once to the same density, so the Hugoniot of the second shock lies below
 the principal Hugoniot. The example follows appendix A of Wilkins, with the equation of state P = aµ + bµ² + c(1 + µ)E, where µ
 = ρ/ρ₀ - 1 is the compression and E the energy per initial volume (a = 0.73 Mbar, b = 1.72 Mbar, c = 1.60). The second shock
 starts from µ = 0.10; at µ = 0.25 it reaches 34.75 GPa, 1.50 GPa less than the principal Hugoniot. The difference is of third
-order in the compression. Wilkins' series for the second shock (A.4), as far as it is legible, is 17 to 21 % too high; a
-corrected form is shown as well.
+order in the compression. Wilkins' series for the second shock (A.4), as far as it is legible, is 17 to 21 % too high between µ
+= 0.15 and 0.25; a corrected form is shown as well.
 """
 
 import matplotlib.pyplot as plt

@@ -3,9 +3,9 @@ Release isentropes of detonation products
 =========================================
 
 After a detonation the products expand from the CJ state along an isentrope. The JWL equation of state describes it by three
-terms, p = A exp(-R₁V) + B exp(-R₂V) + C/V^(1+ω), with the relative volume V = ρ₀/ρ. They dominate one after another: for PBX
-9404 the first up to V = 1.2, the second up to V = 3.4, the last, that of an ideal gas, beyond. The first two therefore matter
-most while the products accelerate a plate. The figure compares three explosives of the library.
+terms, p = A exp(-R₁V) + B exp(-R₂V) + C/V^(1+ω), with the relative volume V = ρ₀/ρ. For PBX 9404 the first term is the largest
+up to V = 1.2, the second from there to V = 3.4, and the third, which has the form of an ideal gas, beyond. The figure compares
+three explosives of the library.
 """
 
 import matplotlib.pyplot as plt
@@ -33,8 +33,8 @@ for k, name in enumerate(("pbx_9404", "comp_b", "tnt")):
     if k == 0:
         first, second = par.a * np.exp(-par.r1 * relative), par.b * np.exp(-par.r2 * relative)
         tail = path.pressure - first - second
-        print(f"the second term exceeds the first from V = {relative[np.argmax(second > first)]:.2f}, "
-              f"the third the second from V = {relative[np.argmax(tail > second)]:.2f}")
+        print(f"{title}: the second term exceeds the first beyond V = {relative[np.argmax(second > first)]:.2f}, "
+              f"the third exceeds the second beyond V = {relative[np.argmax(tail > second)]:.2f}")
         for part, text, where in ((first, "A exp(-R₁V)", 2.15), (second, "B exp(-R₂V)", 4.6), (tail, "C / V^(1+ω)", 0.75)):
             ax.plot(relative, part / 1e9, color=QUIET, lw=0.8, ls=(0, (4, 3)))
             height = np.interp(where, relative, part) / 1e9 * (0.45 if where < 1 else 1.0)

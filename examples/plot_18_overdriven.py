@@ -38,7 +38,7 @@ theory = overdriven(products, particle_velocity=u)
 # %%
 # Left: pressure against particle velocity; the circle is the mean state in the simulation from 0.5 to 2.5 mm behind the front, 2
 # µs after the impact. Right: the pressure in the simulation at that time, with the front at 17 mm. The release from the back of
-# the flyer follows the front; it has not caught it yet.
+# the flyer follows the front but has not caught up with it.
 snapshots = run.arrays("snapshots")
 row = int(np.argmin(np.abs(snapshots["time"] - 2e-6)))
 path = front_path(snapshots["burn_fraction"], snapshots["position_left"], snapshots["position_right"])

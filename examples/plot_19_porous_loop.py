@@ -2,7 +2,7 @@
 Porous aluminium: crushed, released and crushed again
 =====================================================
 
-A slow piston compresses aluminium of 78 % of its solid density. First the material is elastic; from 0.08 GPa the pores close
+A slow piston compresses aluminium with 78 % of the solid density. First the material is elastic; from 0.08 GPa the pores close
 along the crush curve of the P-alpha law. When the piston is drawn back, the material unloads elastically with nearly the sound
 speed of the solid, because the closed pores stay closed. On reloading it returns to the point where it left the crush curve and
 follows the curve from there. A law without memory would go back along the crush curve and reopen the pores.

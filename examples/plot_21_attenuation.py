@@ -1,6 +1,6 @@
 """
-Attenuation of a shock behind a thin flyer
-==========================================
+Attenuation of a shock driven by a thin flyer
+=============================================
 
 The release from the back of a flyer plate overtakes the shock that the flyer drives, so the free surface of a thick target is
 slower than that of a thin one. A sweep over target thickness, flyer speed and yield stress gives the curves of figures 3 and 4

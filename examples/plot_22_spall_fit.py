@@ -3,8 +3,8 @@ Spall strength from a velocity record
 =====================================
 
 What flyer speed, yield stress and spall strength does a free-surface record imply, and how accurately? The record is synthetic,
-so that the answer is known: it comes from a run, with 5 m/s of added noise and a delay of 8 ns. The fit estimates the three
-constants and the delay. The spall strength is found as 1.05 ± 0.04 GPa (true value 1.05 GPa) and the delay as 8.2 ± 0.2 ns; all
+so that the answer is known: it comes from a run, with 5 m/s of added noise and a delay of 8 ns. The fit estimates these three
+quantities and the delay. The spall strength is found as 1.05 ± 0.04 GPa (true value 1.05 GPa) and the delay as 8.2 ± 0.2 ns; all
 four values are within 2.2 standard deviations of the truth.
 """
 
@@ -39,8 +39,8 @@ with tempfile.TemporaryDirectory() as name:
     time, velocity = fitted.gauge("velocity", "free surface")
 
 # %%
-# Above: the record and the run with the fitted values. Below: their difference divided by the standard deviation σ of the noise
-# (5 m/s); the band is ±2σ. The difference shows no pattern, so the model describes the record.
+# The upper panel shows the record and the run with the fitted values. The lower panel shows their difference divided by the
+# standard deviation σ of the noise (5 m/s); the band is ±2σ. The difference shows no pattern, so the model describes the record.
 shift = float(found["value"].sel(parameter="shift"))
 fig, (ax, rest) = plt.subplots(2, 1, figsize=(6.6, 4.2), layout="constrained", height_ratios=(3, 1), sharex=True)
 ax.plot(at * 1e6, measured, ".", color=INK, markersize=2, label="synthetic record")
@@ -56,4 +56,4 @@ rest.set_ylabel("difference / σ")
 print(f"reduced chi-square {found.attrs['reduced_chi_square']:.3f}, {found.attrs['runs']} runs")
 for name, true in TRUTH.items():
     value, sigma = (float(found[key].sel(parameter=name)) for key in ("value", "sigma"))
-    print(f"{name}: {value:.5g} +- {sigma:.2g}, true value {true:.5g}, away {abs(value - true) / sigma:.2f} sigma")
+    print(f"{name}: {value:.5g} +- {sigma:.2g}, true value {true:.5g}, difference {abs(value - true) / sigma:.2f} sigma")

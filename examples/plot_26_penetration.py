@@ -27,8 +27,8 @@ for ax, time in zip(sides, ("24 us", "44 us")):
     run.plot.map("plastic_strain", time=time, ax=ax, window=(-0.03, 0.03), limits=(0.0, 1.5), colorbar=ax is sides[-1])
 
 # %%
-# The depth of the crater is that of the highest target zone left on the axis. Its rate of change is fitted from 9 µs on, down to
-# 50 mm.
+# The depth of the crater is that of the highest target zone left on the axis. Its rate of change is fitted from 9 µs on, for
+# depths up to 50 mm.
 rows, blocks = run.arrays("snapshots"), run.arrays("mesh")
 corners = blocks["zone_nodes"][:64]      # the column of the target on the axis
 top = rows["position_y"][:, corners].max(axis=2)
