@@ -165,7 +165,8 @@ def mixture_lines(law) -> list[str]:
     for name, key in (("reactants", "unreacted"), ("products", "eos")):
         if name in par._fields:
             inner = getattr(par, name)
-            lines += ["", f"# {name}", *(deck_lines(EOS.of(inner), inner, f"{place}.{key}") or [])]
+            simple = " (ideal gas, for simplicity)" if EOS.of(inner).name == "ideal_gas" else ""
+            lines += ["", f"# {name}{simple}", *(deck_lines(EOS.of(inner), inner, f"{place}.{key}") or [])]
     return lines
 
 

@@ -120,7 +120,7 @@ BURN.add(
     units={"coefficients": "1", "p_min": "Pa", "p_max": "Pa", "pressure_scale": "Pa", "time_scale": "s"},
     meaning={"coefficients": "coefficients of the polynomial, lowest power first, 1 to 15 values",
              "p_min": "pressure below which nothing burns",
-             "p_max": "pressure above which the rate is constant, usually the CJ pressure",
+             "p_max": "pressure above which the rate no longer depends on the pressure, usually the CJ pressure",
              "pressure_scale": "unit of pressure of the polynomial",
              "time_scale": "unit of time of the polynomial"},
     build=forest_fire,

@@ -1,4 +1,4 @@
-r"""Tabulated equation of state: pressure and energy over density and temperature, for instance from a SESAME file.
+r"""Tabulated equation of state: pressure and energy as functions of density and temperature, for instance from a SESAME file.
 
 A deck gives the table itself, as in the example, or names a file (`file = "copper.h5"`, in CSV, HDF5 or SESAME format). In each cell of
 density and temperature both tables are bilinear. The temperature at given density and energy is found exactly, by bisection for the cell.

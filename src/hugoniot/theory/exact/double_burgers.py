@@ -7,8 +7,8 @@ For $\gamma = 3$ the sound speed is proportional to the density, and $w_\pm = u 
 $$\partial_t w + w\,\partial_x w = 0 \quad\Longrightarrow\quad w_\pm(x,t) = w_\pm^0(x - w_\pm t)$$
 
 until characteristics first cross, at the time $-1/\min (w_\pm^0)'$. Here $w_\pm^0$ are the initial values. The gas starts from rest with
-uniform entropy and the density $\bar\rho\,[1 + A\cos(k\pi x/L)]$ between walls at 0 and $L$. Its mirror
-images beyond the walls are added to the gas, so that the velocity at the walls is zero.
+uniform entropy and the density $\bar\rho\,[1 + A\cos(k\pi x/L)]$ between walls at 0 and $L$. Beyond the
+walls the gas is continued by its mirror images, so that the velocity at the walls is zero.
 
 * $\bar\rho$: `density`; $A$: `amplitude`; $k$: `half_waves`; $L$: `length`
 
