@@ -52,7 +52,7 @@ class Record(NamedTuple):
 
 
 class Grid(NamedTuple):
-    """A table over density (n,) and temperature (m,), SI: pressure and energy (n, m), and free_energy, None where the file has none."""
+    """A table of density (n,) and temperature (m,), SI, with pressure and energy (n, m), and free_energy, None where the file has none."""
 
     number: int
     line: int

@@ -1,9 +1,9 @@
 r"""Normal modes of a plane detonation: how fast a small disturbance of the ZND wave grows, and at what frequency.
 
 **Ideal gas.** A gas of constant $\gamma$ burns in one step at the rate $r = k(1-\lambda)e^{-E\rho/p}$, with the burn fraction $\lambda$,
-and releases the heat $q$ per mass. Units: $\rho = p = 1$ ahead of the wave; the activation energy $E$ and $q$ are in units of the
-pressure over the density ahead, lengths in half-reaction lengths, which fixes $k$. The front is displaced by $\psi = \epsilon e^{\alpha
-t}$ with a small $\epsilon$. The perturbation $w'$ of the state $w = (\rho, u, p, \lambda)$ in the frame of the front, per unit of the
+and releases the heat $q$ per mass. Units: $\rho = p = 1$ ahead of the wave; the activation energy $E$ and $q$ are in units of the pressure
+divided by the density ahead, lengths in half-reaction lengths, which fixes $k$. The front is displaced by $\psi = \epsilon e^{\alpha t}$
+with a small $\epsilon$. The perturbation $w'$ of the state $w = (\rho, u, p, \lambda)$ in the frame of the front, per unit of the
 perturbation $\alpha\psi$ of the front's velocity, obeys
 
 $$A\,w'_x = w^*_x - \alpha w' - \left(\frac{\partial A}{\partial w}w'\right)w^*_x + \frac{\partial R}{\partial w}w'$$

@@ -1,7 +1,7 @@
 r"""P-alpha compaction of porous material: the distension alpha falls with pressure until the pores are closed.
 
-Use it for porous metals, rocks and similar solids with a measured crush curve. The distension $\alpha$ is the density of the solid over
-that of the porous material. The pressure is that of the solid by the base law, averaged over the volume:
+Use it for porous metals, rocks and similar solids with a measured crush curve. The distension $\alpha$ is the density of the solid
+divided by that of the porous material. The pressure is that of the solid by the base law, averaged over the volume:
 
 $$p = \frac{1}{\alpha}\,p_{\text{solid}}(\alpha\rho, e), \qquad
   \alpha(p) = 1 + (\alpha_0 - 1)\left(\frac{p_s - p}{p_s - p_e}\right)^2 \quad (p_e < p < p_s)$$
@@ -172,7 +172,7 @@ EOS.add(
     build=build,
     units={"base": "law", "alpha0": "1", "elastic_pressure": "Pa", "compaction_pressure": "Pa"},
     meaning={"base": "equation of state of the solid",
-             "alpha0": "initial distension: density of the solid over that of the porous material",
+             "alpha0": "initial distension: density of the solid divided by that of the porous material",
              "elastic_pressure": "pressure at which the pores begin to close",
              "compaction_pressure": "pressure at which the pores have closed"},
     box={"rho": (2000.0, 4500.0), "e": (0.0, 5e6)},

@@ -39,7 +39,7 @@ from hugoniot.theory.exact.solution import Solution
 def terminal_velocity(mass_ratio: float, detonation_velocity: float) -> float:
     """Final velocity of an end-on plate, m/s.
 
-    mass_ratio            M/C, mass of the plate over that of the explosive
+    mass_ratio            M/C, mass of the plate divided by that of the explosive
     detonation_velocity   detonation velocity of the explosive, m/s
     """
     k = 27.0 * mass_ratio / 16.0
@@ -49,12 +49,13 @@ def terminal_velocity(mass_ratio: float, detonation_velocity: float) -> float:
 def plate_push(mass_ratio: float = 1.0, detonation_velocity: float = 8000.0, density: float = 1600.0, length: float = 0.1) -> Solution:
     """End-on plate: driven by a slab of gamma = 3 explosive lit at its free end x = 0, with vacuum on both sides.
 
-    mass_ratio            M/C, mass of the plate over that of the explosive
+    mass_ratio            M/C, mass of the plate divided by that of the explosive
     detonation_velocity   detonation velocity D of the explosive
     density               initial density of the explosive
     length                length L of the slab, initial position of the plate
 
-    The result is the motion of the plate over time. In Python the positions given are ignored, except for the shape of their array.
+    The result is the motion of the plate as a function of time. In Python the positions given are ignored, except for the shape of their
+    array.
 
     Fields: position (m) and velocity of the plate, pressure on it. Numbers: terminal_velocity, arrival_time (of the front at the plate).
     """
@@ -86,7 +87,7 @@ def gurney(configuration: str, mass_ratio: float, gurney_velocity: float) -> flo
     """Metal velocity by Gurney's formulas, m/s.
 
     configuration     open (sandwich with one plate), symmetric (sandwich), cylinder or sphere
-    mass_ratio        M/C, mass of the metal (of both plates of the symmetric sandwich) over that of the explosive
+    mass_ratio        M/C, mass of the metal (of both plates of the symmetric sandwich) divided by that of the explosive
     gurney_velocity   sqrt(2E) of the explosive, m/s
     """
     if configuration == "open":
@@ -101,8 +102,9 @@ def gurney(configuration: str, mass_ratio: float, gurney_velocity: float) -> flo
 def asymmetric_sandwich(mass_ratio: float, tamper_ratio: float, gurney_velocity: float) -> tuple[float, float]:
     """Velocities of a plate and of the tamper on the other side of the explosive by Gurney's formulas, both positive outwards, m/s.
 
-    mass_ratio        M/C, mass of the plate over that of the explosive
-    tamper_ratio      N/C, mass of the tamper over that of the explosive; 0: no tamper, and the second velocity is that of the gas
+    mass_ratio        M/C, mass of the plate divided by that of the explosive
+    tamper_ratio      N/C, mass of the tamper divided by that of the explosive; 0: no tamper, and the second velocity is that
+                      of the gas
     gurney_velocity   sqrt(2E) of the explosive, m/s
     """
     if mass_ratio <= 0.0:
