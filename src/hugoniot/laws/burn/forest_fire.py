@@ -1,7 +1,7 @@
 r"""Burning at a rate that depends on the pressure: by a polynomial (`forest_fire`) or a table (`rate_table`), with first-order depletion.
 
-$$\dot\lambda = (1-\lambda)\,\frac{1}{t_0}\exp\left(\sum_{i=0}^{14} a_i\,(p/p_0)^i\right) \;(\texttt{forest\_fire}), \qquad
-\dot\lambda = (1-\lambda)\,r(p) \;(\texttt{rate\_table})$$
+$$\dot\lambda = (1-\lambda)\,\frac{1}{t_0}\exp\left(\sum_{i=0}^{14} a_i\,(p/p_0)^i\right) \;(\text{forest fire}), \qquad
+\dot\lambda = (1-\lambda)\,r(p) \;(\text{rate table})$$
 
 * $\lambda$: burned mass fraction, 0 to 1; $\dot\lambda$: its rate of change
 * $p$: pressure

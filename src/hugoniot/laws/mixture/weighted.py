@@ -1,7 +1,7 @@
 r"""Pressures weighted by the mass fractions, with both phases at the density and specific internal energy of the mixture.
 
-$$p = (1-\lambda)\,p_r(\rho, e - Q) + \lambda\,p_p(\rho, e) \;(\texttt{weighted\_pressures}), \qquad
-  p = \lambda\,p_p(\rho, e) \;(\texttt{burned\_products})$$
+$$p = (1-\lambda)\,p_r(\rho, e - Q) + \lambda\,p_p(\rho, e) \;(\text{weighted pressures}), \qquad
+  p = \lambda\,p_p(\rho, e) \;(\text{burned products})$$
 
 * $\lambda$: burn fraction, the mass fraction of products
 * $\rho$, $e$, $p$: density, specific internal energy and pressure of the mixture
