@@ -17,8 +17,9 @@ of $e$. Below the burn fraction `nascent_limit` the isentrope of the reactants i
 The limit is 1e-6 in tools whose energies are exact to round-off, and 1e-3 in a run, whose energies have errors of about 1e-4 in a shock.
 
 **Numerical solution.** The unknown is $w = v_r - v_p$; with $v_r = v + \lambda w$ and $v_p = v - (1-\lambda)w$ the sum of volumes holds
-identically. The pressure difference $p_r - p_p$ decreases monotonically with $w$, at the rate $I^2 = \lambda i_r^2 + (1-\lambda) i_p^2$,
-where $i = \rho c$ is the acoustic impedance of a phase, so the root is unique. Newton's method runs inside a bracket that only shrinks.
+identically. While both phases are stable the pressure difference $p_r - p_p$ decreases with $w$, so the root is unique. There its slope is
+$-I^2$, with $I^2 = \lambda i_r^2 + (1-\lambda) i_p^2$ and the acoustic impedance $i = \rho c$ of a phase. Newton's method runs inside a bracket
+that only shrinks.
 """
 
 from typing import NamedTuple
