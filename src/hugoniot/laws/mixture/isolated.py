@@ -18,8 +18,8 @@ The limit is 1e-6 in tools whose energies are exact to round-off, and 1e-3 in a 
 
 **Numerical solution.** The unknown is $w = v_r - v_p$; with $v_r = v + \lambda w$ and $v_p = v - (1-\lambda)w$ the sum of volumes holds
 identically. While both phases are stable the pressure difference $p_r - p_p$ decreases with $w$, so the root is unique. There its slope is
-$-I^2$, with $I^2 = \lambda i_r^2 + (1-\lambda) i_p^2$ and the acoustic impedance $i = \rho c$ of a phase. Newton's method runs inside a bracket
-that only shrinks.
+$-I^2$, with $I^2 = \lambda i_r^2 + (1-\lambda) i_p^2$ and the acoustic impedance $i = \rho c$ of a phase. Newton's method runs
+inside a bracket that only shrinks.
 """
 
 from typing import NamedTuple
