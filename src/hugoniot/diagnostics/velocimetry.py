@@ -206,11 +206,13 @@ def _over_time(values, weight, shares):
 
 
 def ringing_period(time, velocity, after: float, least: float = 0.01) -> float:
-    """Period in s with which a spalled layer rings: the mean time between successive maxima after a time. NaN without two maxima.
+    """Period in s with which a spalled layer rings: the mean time between successive minima from a time on. NaN without two minima.
+
+    Minima are sharp, while a maximum is a flat top on which a small ripple decides where it is highest.
 
     time       (n,) s
     velocity   (n,) m/s
-    after      time from which maxima count, s
+    after      time of the first minimum, that of the pull-back, s
     least      smallest change that counts, as a fraction of the highest velocity
     """
     time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
@@ -218,15 +220,8 @@ def ringing_period(time, velocity, after: float, least: float = 0.01) -> float:
     if tail.sum() < 3:
         return float("nan")
     t, u = time[tail], velocity[tail]
-    points = turning_points(u, least * float(np.max(np.abs(velocity))))
-    maxima = [0.5 * (t[k] + t[_last_near(u, k, least)]) for k in points[0::2]]
-    return float(np.mean(np.diff(maxima))) if len(maxima) >= 2 else float("nan")
-
-
-def _last_near(values, k: int, least: float) -> int:
-    """Last index of the flat top that begins at k."""
-    left = ~(values[k + 1:] >= values[k] - least * abs(values[k]))
-    return k + int(left.argmax()) if left.any() else len(values) - 1
+    minima = [after, *t[turning_points(u, least * float(np.max(np.abs(velocity))))[1::2]]]
+    return float(np.mean(np.diff(minima))) if len(minima) >= 2 else float("nan")
 
 
 def spall_strength(drop: float, rho0: float, c_bulk: float, c_long: float | None = None) -> float:

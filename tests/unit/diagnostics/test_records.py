@@ -197,6 +197,14 @@ def test_spall_strength_and_thickness_of_the_exact_flyer_are_read_back(flyer, ta
     assert spall_thickness(period, C) == pytest.approx(thickness, abs=body.width)
 
 
+def test_a_record_that_ends_on_a_flat_top_has_the_same_ringing_period():
+    """Dips of 60 m/s every microsecond between flat tops; the last top is cut short by a later fall, at the end of the record."""
+    time = np.linspace(0.0, 2.3, 2301)
+    phase = time % 1.0
+    velocity = 300.0 - 60.0 * np.maximum(0.0, 1.0 - np.minimum(phase, 1.0 - phase) / 0.1) - 100.0 * np.maximum(0.0, time - 2.2)
+    assert ringing_period(time, velocity, 0.0) == pytest.approx(1.0, abs=2e-3)
+
+
 def test_without_a_rebound_there_is_no_pull_back():
     t = np.linspace(0, 1, 100)
     assert pull_back(t, np.minimum(5 * t, 1)) is None
