@@ -4,7 +4,7 @@ import math
 from functools import cache
 from typing import Any, NamedTuple
 
-from hugoniot.errors import NoSolution
+from hugoniot.errors import HugoniotError, NoSolution
 from hugoniot.laws.eos.contract import (
     EOS,
     gruneisen,
@@ -24,6 +24,7 @@ from hugoniot.materials.material import Material
 from hugoniot.materials.schema import Row
 from hugoniot.theory.chapman_jouguet import cj, on_isentrope
 from hugoniot.theory.hugoniot import shock
+from hugoniot.theory.upstream import Initial
 
 
 class Quantity(NamedTuple):
@@ -96,16 +97,25 @@ def _first_yield(strength: Any) -> str:
     return f", at {at}" if at else ""
 
 
-def sound_speeds(material: Material, rho: float, e: float) -> dict[str, float]:
-    """Bulk and, of a solid with strength, longitudinal sound speed (m/s) in the state (rho kg/m3, e J/kg)."""
-    c2 = sound_speed_squared(rho, e, material.eos)
-    found = {"bulk_sound_speed": math.sqrt(c2)}
+def wave_speeds(material: Material, rho: float, e: float) -> dict[str, float]:
+    """Speeds of waves into the state (rho kg/m3, e J/kg), m/s, as far as the laws give them.
+
+    bulk_sound_speed, longitudinal_sound_speed (of a solid with strength), and hugoniot_slope: the secant (Us - c)/up of the Hugoniot from
+    that state, up to a particle velocity of a tenth of c
+    """
+    c = math.sqrt(sound_speed_squared(rho, e, material.eos))
+    found = {"bulk_sound_speed": c}
+    p = float(pressure(rho, e, material.eos))
     if material.strength is not None and "fluid" not in STRENGTH.of(material.strength).flags:
         warm = float(temperature(rho, e, material.eos)) if has_temperature(material.eos) else temperature_at_rest(material.eos)
-        shear = shear_modulus(rho, pressure(rho, e, material.eos), warm, rho * c2, material.strength)
+        shear = shear_modulus(rho, p, warm, rho * c * c, material.strength)
         if shear > 0.0:
-            found["longitudinal_sound_speed"] = math.sqrt(c2 + 4.0 / 3.0 * shear / rho)
-    return found
+            found["longitudinal_sound_speed"] = math.sqrt(c * c + 4.0 / 3.0 * shear / rho)
+    try:
+        behind = shock(material.eos, Initial(rho, p, e), particle_velocity=0.1 * c, once=True)
+    except HugoniotError:
+        return found
+    return found | {"hugoniot_slope": (float(behind.shock_velocity) - c) / (0.1 * c)}
 
 
 # -- Chapman-Jouguet states of rows ------------------------------------------------------------------------------

@@ -8,7 +8,7 @@ import math
 from typing import Any
 
 from hugoniot.core.registry import Registry
-from hugoniot.dossier.derived import derived_quantities, sound_speeds
+from hugoniot.dossier.derived import wave_speeds
 from hugoniot.errors import HugoniotError
 from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.eos.contract import EOS, pressure, reference_state
@@ -96,16 +96,19 @@ def material_record(material) -> dict:
 
 
 def _at_rest(material) -> dict[str, float]:
-    """Density (kg/m3), bulk and longitudinal sound speed (m/s) at rest, as far as the laws give them; nothing for explosives."""
+    """The reference state as of `_state`, as far as the laws give it; nothing for explosives."""
     if material.burn is not None or "reacted" in EOS.of(material.eos).flags:
         return {}
     try:
-        found = {name: quantity.value for name, quantity in derived_quantities(material).items()}
-        density = float(reference_state(material.eos)[0])
+        return _state(material, *reference_state(material.eos))
     except (HugoniotError, ArithmeticError, ValueError):
         return {}
-    speeds = {name: found[name] for name in ("bulk_sound_speed", "longitudinal_sound_speed") if math.isfinite(found.get(name, math.nan))}
-    return {"density": density, **speeds}
+
+
+def _state(material, rho, e) -> dict[str, float]:
+    """density (kg/m3) and pressure (Pa) of the state (rho, e), and the speeds of waves into it (`wave_speeds`)."""
+    found = {"density": rho, "pressure": pressure(rho, e, material.eos), **wave_speeds(material, rho, e)}
+    return {name: float(value) for name, value in found.items() if math.isfinite(value)}
 
 
 def _region_record(region, material) -> dict:
@@ -114,9 +117,7 @@ def _region_record(region, material) -> dict:
     given = [getattr(region, name) for name in ("density", "pressure", "temperature", "energy")]
     if material.burn is not None or region.profile is not None or all(value is None for value in given):
         return record
-    rho, e = initial_state(material.eos, *given)
-    start = {"density": rho, "pressure": pressure(rho, e, material.eos), **sound_speeds(material, rho, e)}
-    return {**record, "starts": {name: float(value) for name, value in start.items()}}
+    return {**record, "starts": _state(material, *initial_state(material.eos, *given))}
 
 
 def _burn_record(par, sources) -> dict:

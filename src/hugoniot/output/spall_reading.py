@@ -60,7 +60,8 @@ def constants_of(run, region: str) -> dict[str, float]:
         return {}
     shear = known.get("shear_modulus") or 0.0
     long = rest.get("longitudinal_sound_speed", bulk if rest else float(np.sqrt(bulk**2 + 4.0 * shear / (3.0 * rho0))))
-    return {"rho0": rho0, "c_bulk": bulk, "c_long": long, "s": float(known.get("s", 0.0)) if known.get("c0") else 0.0}
+    slope = rest.get("hugoniot_slope", known.get("s", np.nan) if known.get("c0") else np.nan)
+    return {"rho0": rho0, "c_bulk": bulk, "c_long": long, "s": float(slope)}
 
 
 def spall_reading(run, name: str | None = None) -> Reading:
@@ -108,7 +109,7 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
     if reason := _unfit_start(run, record.region) or (_unfit_start(run, record.window) if record.window else ""):
         return Reading(reason=reason, record=record, found=found)
     window = constants_of(run, record.window) if record.window else None
-    if window == {}:
+    if window is not None and not np.isfinite(window.get("s", np.nan)):
         return Reading(reason=f"the impedance of the window '{record.window}' is not known", record=record, found=found)
     body = constants_of(run, record.region)
     numbers = reading_of(record.time, record.velocity, found, body, window)
