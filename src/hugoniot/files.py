@@ -3,6 +3,7 @@
 A device (`/dev/zero`) has no end, a pipe may never answer: neither is waited for.
 """
 
+import ast
 import csv
 import os
 import re
@@ -19,6 +20,28 @@ _RARE_ENDS = "\x0b\x0c\x1c\x1d\x1e\x85\u2028\u2029"     # of lines, as `str.spli
 _COLLECTION = b"GCOL\x01"
 _MOST_COLLECTIONS = 1_000_000    # of texts: more than any result or table has
 _PIECE = 1 << 20        # bytes of a file read at a time: a whole one in memory would be too much
+_KEY = "(a key without quotes has letters, digits, _ and - only)"
+_PARSER_WORDS = (       # what the parser says, and what a user can act upon
+    (r"Illegal character '\\[nr]'|Found invalid character '\\[nr]'|Unterminated string|Expected [\"']+ \(",
+     "the quotation mark at the end of a string is missing"),
+    (r"(?:Illegal|Found invalid) character '(.*)'", "the control character {0} is not allowed"),
+    (r"Expected '=' after a key", f"a line must have the form key = value {_KEY}"),
+    (r"Expected newline or end of document", "the line goes on after its value or heading, perhaps because a quotation mark is missing"),
+    (r"Invalid value", "the value is missing or not valid: strings need quotation marks"),
+    (r"Expected '\]' at the end of a table declaration", f"a heading must have the form [name] {_KEY}"),
+    (r"Expected '\]\]' at the end of an array declaration", f"a heading must have the form [[name]] {_KEY}"),
+    (r"Invalid initial character for a key", f"a key is missing or not valid {_KEY}"),
+    (r"Invalid statement", "the line is neither key = value nor a heading such as [name]"),
+    (r"Cannot declare (\(.*\)) twice", "the heading [{0}] is for a table that is already given"),
+    (r"Cannot overwrite a value", "a key is given twice"),
+    (r"Duplicate inline table key '(.*)'", "the key '{0}' is given twice in a table {{ }}"),
+    (r"Cannot (?:mutate immutable|redefine) namespace (\(.*\))", "'{0}' is complete already: no keys can be added to it here"),
+    (r"Unclosed array", "a comma in an array [ ], or the ] at its end, is missing"),
+    (r"Unclosed inline table", "a comma in a table {{ }}, or the }} at its end, is missing"),
+    (r"Unescaped", r"write a backslash in a string as \\, or enclose the string in '...'"),
+    (r"Invalid hex value|Escaped character", r"a character written as \u or \U in a string is not valid"),
+    (r"Invalid date or datetime", "a date or time is not valid"),
+)
 _WITHOUT_WAITING = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
 
 
@@ -75,6 +98,36 @@ def toml_tables(text: str) -> dict:
                 raise ValueError("tables and arrays nested too deeply")
             waiting += [(inner, depth + 1) for inner in (value.values() if isinstance(value, dict) else value)]
     return raw
+
+
+def toml_trouble(error: tomllib.TOMLDecodeError, text: str) -> tuple[int | None, str, str]:
+    """(line, message, hint) for a user who does not know the words of the parser."""
+    said = str(error)
+    match = re.search(r"\(at line (\d+), column", said)
+    line = int(match[1]) if match else text.rstrip().count("\n") + 1 if "at end of document" in said else None
+    if unclosed := re.match(r"Expected (?:\"('+)\"|'(\"+)') \(", said):      # the parser looked for the end to the last line of the text
+        line = text.count("\n", 0, text.rfind(unclosed[1] or unclosed[2])) + 1
+    elif said.startswith("Unterminated string") and '"""' in text:
+        line = text.count("\n", 0, text.rfind('"""')) + 1
+    message = said[:1].lower() + re.sub(r"\s*\(at [^)]*\)$", "", said)[1:]
+    for pattern, words in _PARSER_WORDS:
+        if found := re.match(pattern, said):
+            message = words.format(*map(_dotted, found.groups()))
+            break
+    lines = text.splitlines()
+    wrong = lines[line - 1].strip() if line and line <= len(lines) else ""
+    hint = f"the line reads: {_escaped(wrong, 60)}" if wrong else "strings need quotes, tables are [name], keys are name = value"
+    return line, f"not valid TOML: {_escaped(message, 240)}", hint
+
+
+def _dotted(key: str) -> str:
+    """`a.b` for the tuple of keys "('a', 'b')"; other texts as they are."""
+    return ".".join(map(str, ast.literal_eval(key))) if key.startswith("(") else key
+
+
+def _escaped(text: str, limit: int) -> str:
+    text = text if len(text) <= limit else text[: limit - 3] + "..."
+    return "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)
 
 
 def csv_rows(text: str, name, first: int = 1, most: int | None = None) -> list[tuple[int, list[str]]]:

@@ -1,6 +1,7 @@
 """hugoniot structure: the inside of a steady shock, resolved by viscosity and heat conduction."""
 
 import csv
+import tomllib
 from pathlib import Path
 from typing import Annotated
 
@@ -8,7 +9,7 @@ import typer
 
 from hugoniot.cli.show import JSON, echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.files import toml_tables
+from hugoniot.files import toml_tables, toml_trouble
 
 app = typer.Typer(no_args_is_help=True, help=(
     "Compute the steady internal structure of a shock, to which viscosity and heat conduction give a width, without time steps.\n\n"
@@ -240,8 +241,8 @@ def _law_table(text: str, option: str, unit: str, parameter: str, registry):
     try:
         table = toml_tables(f"value = {text}")["value"]
     except ValueError as error:
-        raise DeckError.single("command line", None, option, f"not a table: {error}",
-                               '{law = "power_law", shear_viscosity = ...}') from None
+        why = toml_trouble(error, text)[1] if isinstance(error, tomllib.TOMLDecodeError) else f"not a table: {error}"
+        raise DeckError.single("command line", None, option, why, 'write it like {law = "power_law", shear_viscosity = ...}') from None
     from hugoniot.materials.collect import Collector
     from hugoniot.materials.law_reader import read_law
 

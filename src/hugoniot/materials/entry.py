@@ -22,7 +22,7 @@ from typing import Any
 
 from hugoniot.core.registry import Registry
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.files import read_text, toml_tables
+from hugoniot.files import read_text, toml_tables, toml_trouble
 from hugoniot.materials import cards, schema, table_law
 from hugoniot.materials.build import assembled, doubts
 from hugoniot.materials.collect import Collector
@@ -81,7 +81,8 @@ def read_file(path: Path) -> dict:
     try:
         return toml_tables(text)
     except tomllib.TOMLDecodeError as error:
-        raise DeckError.single(path, None, "TOML", str(error), "tables are [name], keys are name = value, strings need quotes") from error
+        line, message, hint = toml_trouble(error, text)
+        raise DeckError.single(path, line, "material", message, hint) from error
     except ValueError as error:
         raise DeckError.single(path, None, "material", f"not a material file: {error}") from None
 

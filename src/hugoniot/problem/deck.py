@@ -1,7 +1,6 @@
 """Reads a deck: TOML text to a frozen `Problem`, with every problem of the text reported at once by file, line, key and hint."""
 
 import os
-import re
 import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -12,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.files import DEEPEST, LONG_KEY, open_regular
+from hugoniot.files import DEEPEST, LONG_KEY, open_regular, toml_trouble
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.read import read_material
 from hugoniot.materials.users import for_deck
@@ -136,14 +135,8 @@ def parse_deck(text: str, name: str) -> dict:
         _check_values(raw, name)
         return raw
     except tomllib.TOMLDecodeError as error:
-        match = re.search(r"\(at line (\d+), column (\d+)\)", str(error))
-        at_end = "at end of document" in str(error)
-        line = int(match[1]) if match else text.rstrip().count("\n") + 1 if at_end else None
-        message = printable(re.sub(r"\s*\(at [^)]*\)$", "", str(error)), 200)
-        wrong = text.splitlines()[line - 1] if line and line <= len(text.splitlines()) else ""
-        hint = "strings need quotes, tables are [name], keys are name = value"
-        hint = f"the line reads: {printable(wrong.strip(), 60)}" if wrong.strip() else hint
-        raise DeckError.single(name, line, "deck", f"not TOML: {message[:1].lower()}{message[1:]}", hint) from None
+        line, message, hint = toml_trouble(error, text)
+        raise DeckError.single(name, line, "deck", message, hint) from None
     except RecursionError:
         raise DeckError.single(name, None, "deck", "not a deck: arrays nested too deeply") from None
     except ValueError:  # numbers with more digits than the language converts
