@@ -161,7 +161,7 @@ def _of_the_plane(kind: str, plane: bool, line: str | None, layers: str | None) 
     if line is not None:
         ends = [end.split(",") for end in line.split("..")]
         if [len(end) for end in ends] != [2, 2]:
-            shown = 'such as "0 mm, 0 mm .. 0 mm, 30 mm"'
+            shown = 'for example "0 mm, 0 mm .. 0 mm, 30 mm"'
             raise DeckError.single("plot", None, "--line", f"expected two points, got '{printable(line)}'", shown)
         options["start"], options["end"] = (tuple(quantity(part.strip(), "m", "--line") for part in end) for end in ends)
     for word in (layers or "").split(","):

@@ -52,7 +52,7 @@ def overrides_of(settings: Sequence[str] | None) -> dict[str, Any]:
     for setting in settings or ():
         key, equals, value = setting.partition("=")
         if not equals or not key.strip():
-            raise DeckError.single("--set", None, setting[:60], "expected KEY=VALUE", "such as --set region.flyer.velocity=\"800 m/s\"")
+            raise DeckError.single("--set", None, setting[:60], "expected KEY=VALUE", "for example --set region.flyer.velocity=\"800 m/s\"")
         found[key.strip()] = _value(value.strip())
     return found
 

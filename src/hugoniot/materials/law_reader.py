@@ -36,7 +36,7 @@ def read_law(registry: Registry, table: Any, collector: Collector, path: tuple, 
     if name is None and inherited is not None:
         name = registry.of(inherited).name
     if not isinstance(name, str):
-        message = "missing" if name is None else "expected the name of a law, a string"
+        message = "missing" if name is None else "expected the name of a law in quotes"
         collector.add((*path, "law"), message, f"known: {', '.join(registry.names())}")
         return None
     if name not in registry.names():
@@ -69,8 +69,10 @@ def _read_parameters(registry: Registry, law: Law, table: dict, collector: Colle
     for key in required:
         if key not in table:
             unit = law.units.get(key, "1")
-            shown = "" if unit in ("1", "text") else ' (a table with law = "...")' if unit == "law" else f" ({unit})"
-            collector.add((*path, key), f"missing: {law.meaning.get(key) or 'required'}{shown}")
+            shown = "" if unit in ("1", "text", "law") else f"; unit: {unit}"
+            meaning = law.meaning.get(key)
+            collector.add((*path, key), "missing" + (f" ({meaning}{shown})" if meaning else ""),
+                          'write a table with law = "..."' if unit == "law" else "")
     lost = any(value is None and EOS.knows(getattr(law.example, key, None)) for key, value in values.items())
     if lost or collector.findings > before:
         return None
@@ -96,26 +98,38 @@ def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: C
     if isinstance(value, str) and EOS.knows(getattr(law.example, key, None)) and collector.reported(path):
         return None     # the name of a material, which was looked up in vain
     if (wanted := _other_kind(getattr(law.example, key, None), value)) is not None:
-        given = "a table" if isinstance(value, dict) else "a list" if isinstance(value, list) else printable(str(value), 40)
-        collector.add(path, f"expected {wanted}, got {given}", law.meaning.get(key, ""))
+        collector.add(path, f"expected {wanted}, got {_shown(value)}{_explained(law, key)}")
         return None
     if isinstance(value, dict):
         return read_law(registry, value, collector, path)
     if unit == "text":
         if not isinstance(value, str):
-            collector.add(path, f"expected a string, got {value!r:.40}", law.meaning.get(key, ""))
+            collector.add(path, f"expected a string, got {_shown(value)}{_explained(law, key)}")
         return value
     if isinstance(value, list):
         return _read_array(value, unit, collector, path)
     preset = law.defaults.get(key)
     if isinstance(preset, bool):
         if not isinstance(value, bool):
-            collector.add(path, f"expected true or false, got {value!r:.40}")
+            collector.add(path, f"expected true or false, got {_shown(value)}")
         return value
     number = collector.quantity(path, value, unit)
     if number is not None:
         _check_bounds(law, key, number, unit, collector, path)
     return number
+
+
+def _explained(law: Law, key: str) -> str:
+    """What a parameter is, in brackets: after a semicolon it would read as advice."""
+    return f" ({key}: {law.meaning[key]})" if law.meaning.get(key) else ""
+
+
+def _shown(value: Any) -> str:
+    """A value of the wrong kind, as a user of TOML knows it."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    kinds = {dict: "a table", list: "an array"}
+    return kinds.get(type(value)) or (f"'{printable(value, 40)}'" if isinstance(value, str) else printable(value, 40))
 
 
 def _check_bounds(law: Law, key: str, number: float, unit: str, collector: Collector, path: tuple) -> None:
@@ -126,11 +140,11 @@ def _check_bounds(law: Law, key: str, number: float, unit: str, collector: Colle
     elif key in law.above or (unit == "kg/m^3" and key not in law.least):
         bound = law.above.get(key, 0.0)
         if not number > bound:
-            collector.add(path, f"must be greater than {bound:g}, got {shown}", law.meaning.get(key, ""))
+            collector.add(path, f"must be greater than {bound:g}, got {shown}{_explained(law, key)}")
     elif key in law.least or unit == "K":
         bound = law.least.get(key, 0.0)
         if not number >= bound:
-            collector.add(path, f"must not be less than {bound:g}, got {shown}", law.meaning.get(key, ""))
+            collector.add(path, f"must not be less than {bound:g}, got {shown}{_explained(law, key)}")
 
 
 def _other_kind(example: Any, value: Any) -> str | None:

@@ -127,7 +127,7 @@ def _zones(row: Any, collector: Collector, path: tuple) -> int | None:
         collector.add((*path, "to"), f"must be greater than from = {format_si(row.start, 'm')}, got {format_si(row.end, 'm')}")
         return None
     if (row.zones is None) == (row.zone_size is None):
-        collector.add((*path, "zones"), "give either zones or zone_size" + (", not both" if row.zones else ""), "such as zones = 200")
+        collector.add((*path, "zones"), "give either zones or zone_size" + (", not both" if row.zones else ""), "for example zones = 200")
         return None
     zones, key = row.zones, "zones"
     if zones is None:
@@ -293,4 +293,4 @@ def _nearest_place(at: str, regions: tuple[Region, ...]) -> str:
     parts = [place for place in known if set(at.lower().split()) <= set(place.split())]
     if len(parts) == 1 and at.strip():
         return f"did you mean '{parts[0]}'?"
-    return nearest(at, known, f"such as '4 mm', '{known[-1]}', 'free surface right'")
+    return nearest(at, known, f"for example '4 mm', '{known[-1]}', 'free surface right'")

@@ -231,7 +231,7 @@ class _Reader:
         try:
             number = float(value) if not isinstance(value, bool) else float("nan")
             if kind and kind not in self.units and number != 0.0:
-                raise self.wrong(f"units.{kind}", f"is not given, and {path} needs it", f'such as {kind}: "{_KINDS[kind]}"')
+                raise self.wrong(f"units.{kind}", f"is not given, and {path} needs it", f'for example {kind}: "{_KINDS[kind]}"')
             return parse(f"{number!r} {self.units.get(kind, _KINDS[kind])}", _KINDS[kind]) if kind else parse(number, "1")
         except UnitError as error:
             raise self.wrong(path, error.message, error.hint) from None

@@ -108,7 +108,7 @@ def _expression(value: Any, collector: Collector, path: tuple) -> str:
     text = str(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else value
     try:
         if not isinstance(text, str):
-            raise Trouble("expected an expression in x", 'such as "10 m/s * sin(2 * pi * x / 5 mm)"; arrays need positions')
+            raise Trouble("expected an expression in x", 'for example "10 m/s * sin(2 * pi * x / 5 mm)"; arrays need positions')
         Expression(text)
     except Trouble as error:
         collector.add(path, error.message, _EXAMPLE if error.hint == EXAMPLE else error.hint)
@@ -168,7 +168,7 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
         collector.add(path, f"cannot read '{printable(name)}': {printable(error.strerror or error, 120)}")
         return None
     if len(rows) < 3:
-        collector.add(path, "needs a line of column headers and two lines of values or more", "such as: position [mm], velocity [m/s]")
+        collector.add(path, "needs a line of column headers and two lines of values or more", "for example position [mm], velocity [m/s]")
         return None
     columns: dict[str, tuple[float, ...]] = {}
     for k, head in enumerate(rows[0]):
@@ -189,7 +189,7 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
             return None
     places = columns.pop("position", None)
     if places is None or not columns:
-        collector.add(path, "needs a column 'position' and at least one other", "such as: position [mm], velocity [m/s]")
+        collector.add(path, "needs a column 'position' and at least one other", "for example position [mm], velocity [m/s]")
         return None
     return Profile(places, tuple((name, columns[name]) for name in UNITS if name in columns))      # the order of arrays in a deck
 

@@ -120,7 +120,7 @@ def _in_words(item: Mapping, model: type[BaseModel]) -> tuple[str, str]:
         return "unknown key", nearest(location[-1], keys_of(_model_at(model, location[:-1])))
     if kind == "missing":
         field = _field_at(model, location)
-        return "missing", (field.description or "") if field is not None else ""
+        return f"missing ({field.description})" if field is not None and field.description else "missing", ""
     if kind == "literal_error":
         return f"expected {context['expected']}, got '{shown}'", nearest(shown, _literals(context["expected"]), " ").strip()
     words = {"int_type": "expected a whole number", "int_from_float": "expected a whole number", "string_type": "expected a string",

@@ -25,7 +25,7 @@ def read_contacts(rows: Sequence, blocks: Sequence[str], rigid: Sequence[str], c
         path, before = ("contact", i), collector.findings
         if (row.strength is not None) != (row.kind == "separable"):
             if row.kind == "separable":
-                collector.add((*path, "strength"), "missing", 'such as strength = "50 MPa"')
+                collector.add((*path, "strength"), "missing", 'for example strength = "50 MPa"')
             else:
                 hint = 'write kind = "separable", or leave it out'
                 collector.add((*path, "strength"), f"does not apply to contact of kind {row.kind}", hint)
@@ -148,7 +148,7 @@ def _check_motion(row, axes, collector: Collector, path: tuple) -> None:
     if row.start is not None and row.mass is None:
         collector.add((*path, "start"), "applies only to a body with a mass", "give it a mass, or drive it with velocity")
     if row.velocity is not None and row.direction is None:
-        collector.add((*path, "direction"), "missing", "such as direction = [0, -1]")
+        collector.add((*path, "direction"), "missing", "for example direction = [0, -1]")
     if row.direction is not None and row.velocity is None and row.mass is None:
         collector.add((*path, "direction"), "does not apply to a body at rest", "give velocity or mass, or leave it out")
     _check_turning(row, axes, collector, path)

@@ -188,7 +188,7 @@ def _solver(table: Any, axes, blocks, mesh: Blocks | None, collector: Collector)
     own["scheme"] = row.scheme or ("area_weighted" if about_axis and axes[0] == "r" else "true_volume")
     if row.erosion is not None and row.erosion.plastic_strain is None and row.erosion.smallest_step is None:
         collector.add(("solver", "erosion"), "has no condition for removing a zone",
-                      'such as plastic_strain = 1.5, or smallest_step = "0.1 ns"')
+                      'for example plastic_strain = 1.5, or smallest_step = "0.1 ns"')
     erosion = None if row.erosion is None else Erosion2D(**row.erosion.model_dump())
     viscosity = row.viscosity.model_dump() | ({} if row.cells == "quads" else NO_FLUX)
     return Solver2D(**own | {"viscosity": Viscosity2D(**viscosity), "erosion": erosion})

@@ -24,7 +24,7 @@ def unit_vector(direction, collector: Collector, path: tuple) -> tuple[float, fl
     """
     length = math.hypot(*direction)
     if length == 0.0:
-        collector.add(path, "has no length", "such as [1, 0]")
+        collector.add(path, "has no length", "give a vector such as [1, 0]")
         return None
     return direction if abs(length - 1.0) < 1e-15 else (direction[0] / length, direction[1] / length)
 
@@ -72,7 +72,7 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
     for key in _DRIVEN:
         if (getattr(row, key) is not None) != (row.kind == key):
             if row.kind == key:
-                collector.add((*path, key), "missing", f"such as {key} = {_EXAMPLES[key]}")
+                collector.add((*path, key), "missing", f"for example {key} = {_EXAMPLES[key]}")
             else:
                 hint = f'write kind = "{key}", or leave it out'
                 collector.add((*path, key), f"does not apply to a boundary of kind {row.kind}", hint)
@@ -142,7 +142,7 @@ def _gauge(row, collector: Collector, path: tuple) -> Gauge2D | None:
     has = f"; got {' and '.join(sorted(given))}" if given else ""
     collector.add(path, "give at (a material point), or on (the mean over a chain), or on with through and direction "
                   f"(a line of sight){has}",
-                  'such as at = ["1 mm", "2 mm"]')
+                  'for example at = ["1 mm", "2 mm"]')
     return None
 
 

@@ -46,7 +46,7 @@ def _box(row, axes, collector, path) -> Box | None:
         low, high = getattr(row, key)
         if not high > low:
             collector.add((*path, key), f"must run from the smaller value to the larger, got {low:g} m to {high:g} m",
-                          "exchange them" if low > high else 'such as ["0 mm", "5 mm"]')
+                          "exchange them" if low > high else 'for example ["0 mm", "5 mm"]')
             return None
     return Box(getattr(row, axes[0]), getattr(row, axes[1]))
 
@@ -56,11 +56,11 @@ def _sector(row, collector, path) -> Sector | None:
     if not 0.0 < inner < outer:
         collector.add((*path, "radius"), f"needs 0 < inner < outer radius, got {inner:g} m and {outer:g} m",
                       "zones would meet in a point at the centre: leave a small hole, or put a box there" if inner == 0.0 else
-                      "exchange them" if inner > outer > 0.0 else 'such as ["8 cm", "10 cm"]')
+                      "exchange them" if inner > outer > 0.0 else 'for example ["8 cm", "10 cm"]')
         return None
     if not 0.0 < end - start <= _FULL_TURN * (1.0 + 1e-12):
         collector.add((*path, "angle"), f"must rise by at most a full turn, got {math.degrees(start):g} to {math.degrees(end):g} degrees",
-                      'such as ["0 deg", "90 deg"]')
+                      'for example ["0 deg", "90 deg"]')
         return None
     return Sector(row.centre or (0.0, 0.0), row.radius, row.angle)
 

@@ -22,7 +22,7 @@ def _numbers(unit: str, count: int, limit: float = LARGEST_COORDINATE):
     def read(value: Any) -> tuple[float, ...]:
         if not isinstance(value, (list, tuple)) or len(value) != count:
             shown = f"{len(value)} values" if isinstance(value, (list, tuple)) else "one value"
-            raise trouble(f"expected an array of {count} quantities, got {shown}", f"such as {_EXAMPLES[unit]}")
+            raise trouble(f"expected an array of {count} quantities, got {shown}", f"for example {_EXAMPLES[unit]}")
         try:
             found = tuple(parse(part, unit) for part in value)
         except UnitError as error:
@@ -43,7 +43,7 @@ def _array(unit: str) -> dict:
 
 def _points(value: Any) -> tuple[tuple[float, float], ...]:
     if not isinstance(value, (list, tuple)) or not 2 <= len(value) <= MOST_POINTS:
-        raise trouble(f"expected an array of points, 2 to {MOST_POINTS}", 'such as [["0 mm", "0 mm"], ["5 mm", "0 mm"]]')
+        raise trouble(f"expected an array of 2 to {MOST_POINTS} points", 'for example [["0 mm", "0 mm"], ["5 mm", "0 mm"]]')
     read = _numbers("m", 2)
     return tuple(read(point) for point in value)  # type: ignore[misc]
 
@@ -58,21 +58,21 @@ def _matrix(value: Any) -> tuple[tuple[float, float], ...]:
 def _names(value: Any) -> tuple[str, ...]:
     names = [value] if isinstance(value, str) else value
     if not isinstance(names, list) or not names or not all(isinstance(name, str) for name in names):
-        raise trouble("expected a chain of edges or an array of them", 'such as "bar.bottom", or ["bar.right", "bar.top"]')
+        raise trouble("expected a chain of edges or an array of them", 'for example "bar.bottom", or ["bar.right", "bar.top"]')
     return tuple(" ".join(name.split()) for name in names)
 
 
 def _pair(value: Any) -> tuple[str, str]:
     if not isinstance(value, (list, tuple)) or len(value) != 2 or not all(isinstance(name, str) for name in value):
-        raise trouble("expected two names", 'such as ["flyer", "target"]')
+        raise trouble("expected two names", 'for example ["flyer", "target"]')
     return value[0].strip(), value[1].strip()
 
 
 def _counts(value: Any) -> tuple[int, int]:
     if not isinstance(value, (list, tuple)) or len(value) != 2 or not all(isinstance(n, int) and not isinstance(n, bool) for n in value):
-        raise trouble("expected two whole numbers", "zones along i and along j, such as [20, 200]")
+        raise trouble("expected two whole numbers (zones along i and along j)", "for example [20, 200]")
     if min(value) < 1 or max(value) > 20_000:
-        raise trouble("a block has from 1 to 20 000 zones in each direction", "such as [20, 200]")
+        raise trouble("a block has from 1 to 20 000 zones in each direction", "for example [20, 200]")
     return value[0], value[1]
 
 
@@ -82,7 +82,7 @@ def _velocity(value: Any) -> Any:
         return _numbers("m/s", 2, LIGHT)(value)
     if isinstance(value, dict):
         return value
-    raise trouble("expected an array of two velocities or a table", 'such as ["0 m/s", "-200 m/s"], or {radial = "-1 km/s"}')
+    raise trouble("expected an array of two velocities or a table", 'for example ["0 m/s", "-200 m/s"], or {radial = "-1 km/s"}')
 
 
 Place = Annotated[Any, BeforeValidator(_numbers("m", 2)), WithJsonSchema(_array("m"))]
