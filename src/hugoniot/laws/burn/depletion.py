@@ -6,6 +6,8 @@ $$\frac{d\lambda}{dt} = k\,(1-\lambda)^m \;\Rightarrow\; (1-\lambda)^{1-m} = (1-
 For m < 1 burning ends after the time $(1-\lambda_0)^{1-m}/((1-m)k)$, exactly at 1.
 """
 
+import math
+
 from hugoniot.core.ops import vexp, vpow
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.contract import BURN
@@ -44,6 +46,8 @@ def deplete(burn_fraction, amount, exponent):
 
 def with_unit(par, key: str) -> str:
     """A parameter of a registered burn law as messages show it, with its unit."""
+    if math.isnan(getattr(par, key)):
+        return "a value that is not a number"
     unit = BURN.of(par).units[key]
     return f"{getattr(par, key):.6g}" + (f" {unit}" if unit != "1" else "")
 

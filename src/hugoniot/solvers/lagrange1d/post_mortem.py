@@ -113,13 +113,13 @@ def diagnose(code, values, left, right, breaks: bool) -> tuple[str, str]:
     """(cause, remedy) of a bad state; `breaks` says whether the material there has a fracture law."""
     if code == L.STEP_COLLAPSED:
         return ("the time step collapsed below 1e-12 of the stop time.",
-                "use coarser or better graded zones there, or stop the run earlier.")
+                "use coarser zones there, or zones whose widths vary less, or stop the run earlier.")
     if values.get("mixture_status", 0.0) != 0.0:
         return ("reactants and products have no common pressure there: the search for the state of the mixture failed at a burn fraction "
                 f"of {values['burn_fraction']:.6g}.",
                 "lower [solver] courant, use finer zones, or choose another mixture law for the material.")
     if np.isnan(left + right):
-        return ("a field is not a number (NaN): the state left the range of a law, or a boundary returned NaN.",
+        return ("a field of the zone is not a number any more: its state left the range of a law, or a boundary gave it no valid value.",
                 "check the initial state, the boundaries and the impact conditions against the laws' limits, or lower [solver] courant.")
     if 0.0 < values.get("burn_fraction", 0.0) < 1.0:
         return (f"a burning zone (burn fraction {values['burn_fraction']:.3g}) has no valid state: if its burn is programmed, the "
@@ -130,7 +130,7 @@ def diagnose(code, values, left, right, breaks: bool) -> tuple[str, str]:
         return ("the zone is inverted (negative volume).",
                 "lower [solver] courant, or increase the artificial viscosity.")
     if not values["density"] > 0.0:
-        return ("negative or zero density.", "lower [solver] courant.")
+        return ("the density is negative or zero.", "lower [solver] courant.")
     if values["pressure"] < 0.0:
         return ("the sound speed became imaginary in tension: the material is stretched beyond the range of its equation of state.",
                 "lower the limits of the fracture law ([material.NAME.fracture]), or use an equation of state valid in expansion." if breaks

@@ -8,8 +8,8 @@ from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.zone_shapes import areas
 from hugoniot.zones.soundness import first_unsound
 
-NO_NUMBER = ("a zone has a state or a motion that is not a number",
-             "look at the zones around it in the post-mortem file; use a smaller courant from the start")
+NO_NUMBER = ("the state or the velocity of a zone is not a number any more",
+             "use a smaller courant from the start; post_mortem.h5 in the run folder holds the fields of the zones around it")
 
 
 def diagnose(solver, code) -> UnphysicalState:
@@ -35,7 +35,11 @@ def diagnose(solver, code) -> UnphysicalState:
     i, j = block.place(zone)
     values = {name: float(z[row, zone]) for name, row in zip(Z._fields, range(len(Z))) if not name.startswith("f")}
     values |= {"i": i, "j": j, "x": float(x[:, zone].mean()), "y": float(y[:, zone].mean()), "area": float(area[zone])}
-    return UnphysicalState(f"{cause} (zone i = {i}, j = {j}, at ({values['x']:.6g}, {values['y']:.6g}) m)", remedy, zone, block.name, None,
+    place = values["x"], values["y"]
+    start = "" if np.isfinite(place).all() else "initially "
+    if start:
+        place = block.x[i:i + 2, j:j + 2].mean(), block.y[i:i + 2, j:j + 2].mean()
+    return UnphysicalState(f"{cause} (zone i = {i}, j = {j}, {start}at ({place[0]:.6g}, {place[1]:.6g}) m)", remedy, zone, block.name, None,
                            solver.time, solver.cycle, values)
 
 
@@ -54,4 +58,4 @@ def _unsound(values) -> tuple[str, str]:
     if values["rho"] <= 0.0:
         return "a zone has a negative density", "use a smaller courant, or a law that is defined in tension"
     return (f"the sound speed of a zone is imaginary, at {values['rho']:.6g} kg/m3 and {values['e']:.6g} J/kg",
-            "the law of its material is not defined there: give it a fracture law or a tension cut-off, or use a smaller courant")
+            "give the material a fracture law or a tension cut-off (its law is not defined in such a state), or use a smaller courant")
