@@ -53,11 +53,18 @@ def open_regular(path, flags: int = _WITHOUT_WAITING) -> int:
     try:
         handle = os.open(path, flags)
     except ValueError:      # a zero byte
-        raise FileTrouble(f"{path}: not the name of a file") from None
+        raise _refused(path, "not the name of a file") from None
     if not stat.S_ISREG(os.fstat(handle).st_mode):
         os.close(handle)
-        raise FileTrouble(f"{path}: not a regular file but {_kind(path)}; nothing is read from it")
+        raise _refused(path, f"not a regular file but {_kind(path)}")
     return handle
+
+
+def _refused(path, why: str) -> FileTrouble:
+    """The error for a file that is not read; its `strerror` is the reason alone, for a caller that names the file itself."""
+    error = FileTrouble(f"{path}: {why}")
+    error.strerror = why
+    return error
 
 
 def read_regular(path, limit: int = LARGEST) -> bytes:
@@ -68,7 +75,7 @@ def read_regular(path, limit: int = LARGEST) -> bytes:
     with os.fdopen(open_regular(path), "rb") as file:
         data = file.read(limit + 1) if os.fstat(file.fileno()).st_size <= limit else None
     if data is None or len(data) > limit:
-        raise FileTrouble(f"{path}: larger than {limit / 1e6:g} MB; is this the right file?")
+        raise _refused(path, f"larger than {limit / 1e6:g} MB; is this the right file?")
     return data
 
 

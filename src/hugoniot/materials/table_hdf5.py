@@ -65,15 +65,19 @@ def read_table(path) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     n, m = grid[0].size, grid[1].size
     for name, values, shape in zip(UNITS, grid, ((n,), (m,), (n, m), (n, m))):
         if values.shape != shape:
-            raise DeckError.single(path, None, name, f"has the shape {values.shape}, but {n} densities and {m} temperatures need {shape}",
-                                   "rows are densities, columns temperatures")
+            raise DeckError.single(path, None, name, f"has {_size(values.shape)} values, but {n} densities and "
+                                   f"{m} temperatures need {_size(shape)}", "rows are densities, columns temperatures")
     return grid[0], grid[1], grid[2], grid[3]
+
+
+def _size(shape: tuple) -> str:
+    return " x ".join(map(str, shape)) or "1"
 
 
 def _dataset(file, name: str, path) -> np.ndarray:
     found = file.get(name)
     if not isinstance(found, h5py.Dataset) or found.dtype.kind not in "fiu":
-        raise DeckError.single(path, None, name, f"the file has no dataset of numbers '{name}', it has {_names(file) or 'none'}",
+        raise DeckError.single(path, None, name, f"the file has no dataset of numbers '{name}'; its datasets: {_names(file) or 'none'}",
                                f"it needs {', '.join(UNITS)}")
     if found.external or found.is_virtual:
         raise DeckError.single(path, None, name, "its numbers are stored in another file", "copy them into this one")

@@ -103,7 +103,7 @@ def opened(source):
     except (OSError, KeyError, ValueError, RuntimeError) as error:
         if isinstance(error, FileTrouble):
             raise
-        raise FileTrouble(f"the stored data cannot be read: {error}") from error
+        raise FileTrouble(f"the stored data cannot be read: not an HDF5 file written by hugoniot, or damaged ({error})") from error
 
 
 def _read(value: Any) -> Any:

@@ -115,12 +115,12 @@ def _describe_column(data, group: str, name: str, places: dict[int, str], found:
     if name in AXES[group]:
         along = (name,)
         if len(shape or ()) != 1:
-            raise Misfit(f"has the shape {shape}, but must have one dimension")
+            raise Misfit("must be a one-dimensional array")
     else:
         along = axes_of(data, places)
         short = along == ("time",) and (group == "gauges" or group == "snapshots" and name not in _WHOLE)
         if not along or short or shape != tuple(found.shapes[axis][0] for axis in along if axis in found.shapes):
-            raise Misfit(f"has the shape {shape}, which does not fit the axes of '{group}'")
+            raise Misfit(f"has {_size(shape)}, which do not fit the axes of '{group}'")
     _check_kind(data, name, shape, kind)
     attributes = {key: data.attrs[key] for key in _SHOWN if key in data.attrs}
     for key, words in attributes.items():
@@ -128,6 +128,10 @@ def _describe_column(data, group: str, name: str, places: dict[int, str], found:
             raise Misfit(f"the attribute '{key}' is not a string")
     for part, value in zip(found, (shape, kind, attributes, along)):
         part[name] = value
+
+
+def _size(shape: tuple | None) -> str:
+    return f"{' x '.join(map(str, shape))} values" if shape else "no array of values"
 
 
 def axes_of(data, places: dict[int, str]) -> tuple[str, ...]:
