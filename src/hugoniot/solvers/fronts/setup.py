@@ -1,6 +1,7 @@
 """From a problem to its first fronts: what the solver takes, and the Riemann problems at t = 0."""
 
 import math
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,8 +35,9 @@ def unsolved(error: Exception, where: str, region: str = "", place: float | None
     if isinstance(error, UnphysicalState):
         return error
     why = str(error).rstrip(".") if isinstance(error, HugoniotError) else f"no wave of finite speed and strength leaves ({error})"
-    return UnphysicalState(f"{where}, {why}.", "stay inside the range of the equations of state, or choose ones that reach further", None,
-                           region, place, time, cycle)
+    advised = re.search(r"\b(?:use|give)\b", why)       # by whoever knows the cause
+    remedy = "" if advised else "stay inside the range of the equations of state, or choose ones that reach further"
+    return UnphysicalState(f"{where}, {why}.", remedy, None, region, place, time, cycle)
 
 
 def options_of(problem: Problem) -> dict:
