@@ -26,7 +26,7 @@ def parameters_of(function: Callable, settings: list[str], skip: tuple[str, ...]
     for text in settings:
         key, equals, value = (part.strip() for part in text.partition("="))
         if not equals:
-            raise DeckError.single("command line", None, text[:40], "is not a parameter", "write PARAMETER=VALUE, such as gamma=1.4")
+            raise DeckError.single("command line", None, text[:40], "has no value", "write PARAMETER=VALUE, such as gamma=1.4")
         if key in known and _is_record(known[key]):
             typed |= _solid(key, value)
         elif key not in flat:

@@ -192,9 +192,9 @@ def _span(name, solution: Solution, time, jumps, given: dict, grid: Grid) -> tup
     low = quantity(grid.start, "m", "--from") if grid.start else low
     high = quantity(grid.end, "m", "--to") if grid.end else high
     if low is None or high is None or not high > low:
-        ends = " to ".join("unknown" if x is None else f"{x:.6g}" for x in (low, high))
-        raise DeckError.single("command line", None, "--from, --to", f"{ends} m is not an interval of positions",
-                               'give --to "1 m", or --at')
+        why = "not both are given" if low is None or high is None else f"{high:.6g} m is not beyond {low:.6g} m"
+        raise DeckError.single("command line", None, "--from, --to", f"positions are drawn from --from to --to, but {why}",
+                               'give both, such as --from "0 m" --to "1 m", or --at')
     return low, high
 
 

@@ -110,7 +110,7 @@ def von_neumann_pressure(state, toward: str = "right", zones: int = 8) -> float:
     above = np.flatnonzero(p >= 0.5 * p.max())
     smooth = np.flatnonzero(q[:above[-1] + 1] <= 1e-3 * p[:above[-1] + 1])
     if above[-1] + 1 == p.size or smooth.size == 0 or smooth[-1] + 1 < zones:
-        raise OutOfRange(f"no front with {zones} zones behind its shock in this state: the spike of a reaction zone cannot be read from it")
+        raise OutOfRange(f"no front in this state has {zones} zones behind its shock, so the spike of a reaction zone cannot be read")
     k, last = above[-1], smooth[-1] + 1
     front = x[k] + (p[k] - 0.5 * p.max()) / (p[k] - p[k + 1]) * (x[k + 1] - x[k])
     return float(np.polyfit(x[last - zones:last] - front, p[last - zones:last], 1)[1])

@@ -165,7 +165,7 @@ def state_of(name: str, by: str, value: float) -> dict[str, Any]:
     Raises `OutOfRange` with the limit of the law, `DeckError` for an unknown name or field.
     """
     if by not in BY:
-        raise OutOfRange(f"a state is given by one of {', '.join(BY)}")
+        raise OutOfRange(f"a state needs exactly one of {', '.join(BY)}")
     material = inert_or_none(entry_of(name))
     if material is None:
         raise OutOfRange(f"{name}: the library has only its detonation products, which have no principal Hugoniot")

@@ -23,7 +23,7 @@ from hugoniot.materials.table_repair import risen
 COLUMNS = ("density", "temperature", "pressure", "energy")
 HDF5 = (".h5", ".hdf5")
 _LARGEST = 64 * 1024 * 1024
-_FILL = "a table gives every density at every temperature: fill the hole or leave that density out"
+_FILL = "a table needs a value at every density and temperature: add the missing one, or leave that density out"
 
 
 class Window(NamedTuple):
@@ -121,7 +121,7 @@ def _row(line: str, place: list[int], count: int, name: str, line_number: int) -
         try:
             found.append(float(cells[k]))
         except ValueError:
-            shown = f"'{cells[k][:40]}' is not a number" if cells[k] else "a hole: no value"
+            shown = f"'{cells[k][:40]}' is not a number" if cells[k] else "the value is missing"
             raise DeckError.single(name, line_number, column, shown, "write a number in SI" if cells[k] else _FILL) from None
     if not (0.0 < found[0] < math.inf and 0.0 <= found[1] < math.inf):
         raise DeckError.single(name, line_number, "row", f"density {found[0]:.6g} kg/m3, temperature {found[1]:.6g} K is not a valid state",
@@ -138,7 +138,7 @@ def _assemble(points, origin, name, window: Window) -> tuple[Table, tuple[str, .
         for x in t:
             if (r, x) not in points:
                 before = max((origin[key] for key in origin if key[0] == r), default=None)
-                raise DeckError.single(name, before, "table", f"a hole: no row gives density {r:.6g} kg/m3 at temperature {x:.6g} K "
+                raise DeckError.single(name, before, "table", f"no row gives density {r:.6g} kg/m3 at temperature {x:.6g} K "
                                        f"({len(rho) * len(t) - len(points)} missing in all)", _FILL)
     p, e = (np.array([[points[r, x][k] for x in t] for r in rho]) for k in (0, 1))
     return _build(name, np.array(rho), np.array(t), p, e, window, origin)

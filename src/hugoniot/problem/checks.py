@@ -173,7 +173,7 @@ def check_state(row: Any, material: Material | None, collector: Collector, path:
     low, high = density_limits(material.eos)
     if row.density is not None and not low <= row.density < high:
         collector.add((*path, "density"), f"{row.density:g} kg/m^3 lies outside the range of the equation of state",
-                      f"{material.name} is defined from {low:g} to {high:g} kg/m^3")
+                      f"the law of '{material.name}' holds from {low:g} to {high:g} kg/m^3")
         return
     try:
         rho, e = initial_state(material.eos, row.density, row.pressure, row.temperature, row.energy)

@@ -155,7 +155,7 @@ def _column(path, line, head, name, unit, words):
             except UnitError as error:
                 raise DeckError.single(path, line, name, error.message, error.hint) from None
     sample = f"'{words[-1]} ({_SAMPLE[unit]})'" if unit in _SAMPLE else f"'{words[-1]}'"
-    raise DeckError.single(path, line, name, f"no column of that name among {', '.join(head)[:200]}", f"name one {sample}")
+    raise DeckError.single(path, line, name, f"no column has this name; the columns are {', '.join(head)[:200]}", f"name one {sample}")
 
 
 def _factor(written: str, unit: str) -> float:
@@ -175,8 +175,8 @@ def _factor(written: str, unit: str) -> float:
 
 def _number(path, line, name, cells, index, factor, unit):
     if index >= len(cells):
-        raise DeckError.single(path, line, name, f"the line has only {len(cells)} cell{'' if len(cells) == 1 else 's'}, but the column is "
-                                                 f"number {index + 1}", "fill the gap")
+        raise DeckError.single(path, line, name, f"the line has only {len(cells)} value{'' if len(cells) == 1 else 's'}, but this is "
+                                                 f"column {index + 1}", "add the missing values")
     try:
         value = float(cells[index]) * factor
     except ValueError:

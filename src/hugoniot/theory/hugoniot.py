@@ -74,7 +74,7 @@ def curve(material, initial: Initial | None = None, *, points: int = 101, up_to:
     if not end > 0.0:
         raise OutOfRange(f"the last particle velocity of a Hugoniot must be positive, got {end:.6g} m/s")
     if points < 2:
-        raise OutOfRange(f"a curve needs two points or more, got {points}")
+        raise OutOfRange(f"a Hugoniot needs points = 2 or more, got {points}")
     jumps = np.linspace(1e-3 * end if ahead.heat else 0.0, end, points)
     return shock(par, ahead, direction=direction, once=once, particle_velocity=ahead.velocity + direction * jumps)
 
@@ -178,7 +178,7 @@ def entropy_rise(material, initial: Initial, density: float) -> float:
 # -- inside ------------------------------------------------------------------------------------------------------
 def _one(given: dict):
     if len(given) != 1 or next(iter(given)) not in _MODES:
-        raise OutOfRange(f"a Hugoniot state is specified by exactly one of {', '.join(_MODES)}; got {', '.join(given) or 'none'}")
+        raise OutOfRange(f"give exactly one of {', '.join(_MODES)} for a state on a Hugoniot, got {', '.join(given) or 'none'}")
     return next(iter(given.items()))
 
 
@@ -278,12 +278,13 @@ def _refuse(status, mode, name, target, ahead: Initial, par):
         raise OutOfRange(f"{asked} does not compress the state ahead ({ahead.density:.6g} kg/m3, {ahead.pressure:.6g} Pa; law '{law}')")
     if status == jump.BEYOND_LIMIT:
         end = limit(par, ahead)
-        reach = (f"density {end.density:.6g} kg/m3" if math.isfinite(end.density) else
-                 "zero specific volume, where the shock runs no faster than the material behind it")
+        reach = [f"density {end.density:.6g} kg/m3"] if math.isfinite(end.density) else []
         if math.isfinite(end.particle_velocity):
-            reach += (f", pressure {end.pressure:.6g} Pa, particle velocity {end.particle_velocity:.6g} m/s, "
-                      f"shock velocity {end.shock_velocity:.6g} m/s")
+            reach += [f"pressure {end.pressure:.6g} Pa", f"particle velocity {end.particle_velocity:.6g} m/s",
+                      f"shock velocity {end.shock_velocity:.6g} m/s"]
+        if not math.isfinite(end.density):
+            reach.append("where the specific volume would be zero")
         raise OutOfRange(f"{asked} is beyond the compression limit of law '{law}' (density ahead {ahead.density:.6g} kg/m3): "
-                         f"the Hugoniot ends at {reach}; try a weaker shock")
-    raise NoSolution(f"the search for {asked} on the Hugoniot of law '{law}' (density ahead {ahead.density:.6g} kg/m3) did not converge: "
-                     "the law is not smooth there; try a neighbouring state")
+                         f"the Hugoniot ends at {', '.join(reach)}; try a weaker shock")
+    raise NoSolution(f"{asked} was not found on the Hugoniot of law '{law}' (density ahead {ahead.density:.6g} kg/m3): the search did not "
+                     "converge, probably because the law has a kink there; try a slightly different value")

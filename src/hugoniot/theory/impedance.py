@@ -88,7 +88,8 @@ def ring_up(layers: Sequence, velocity: float, *, layer: int = 1, bounces: int =
     Returns a list of `Match`: the first passage, then the reflections at the far and the near interface of the layer in turn.
     """
     if not 1 <= layer <= len(layers) - 2:
-        raise OutOfRange(f"layer {layer} does not have two neighbours in a stack of {len(layers)}: give 1 to {len(layers) - 2}")
+        known = f"choose a layer from 1 to {len(layers) - 2}" if len(layers) > 2 else "a stack of three or more is needed"
+        raise OutOfRange(f"layer {layer} does not have two neighbours in a stack of {len(layers)} layers (numbered from 0): {known}")
     met = match(layers[: layer + 2], velocity)
     near, far = met[layer - 1], met[layer]
     outer_left, inner, outer_right = near.left, far.left, far.right

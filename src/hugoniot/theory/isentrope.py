@@ -35,7 +35,7 @@ def isentrope(material, start: States | None = None, *, direction: int = 1, **gi
     par = law_of(material)
     start = start or reference(par)
     if len(given) != 1 or next(iter(given)) not in ("density", "pressure", "particle_velocity"):
-        raise OutOfRange("a state on an isentrope is specified by exactly one of density, pressure, particle_velocity; "
+        raise OutOfRange("give exactly one of density, pressure, particle_velocity for a state on an isentrope, "
                          f"got {', '.join(given) or 'none'}")
     name, value = next(iter(given.items()))
     targets = np.atleast_1d(np.asarray(value, float)).ravel()
@@ -217,8 +217,9 @@ def residual(states: States) -> float:
 def _by_density(targets, y0, e0, par):
     low, high = density_range(par)
     if (targets <= low).any() or (targets >= high).any():
-        raise OutOfRange(f"a density of {targets.min():.6g} to {targets.max():.6g} kg/m3 leaves the range of law '{EOS.of(par).name}', "
-                         f"{low:.6g} to {high:.6g} kg/m3")
+        beyond = targets[(targets <= low) | (targets >= high)][0]
+        raise OutOfRange(f"a density of {beyond:.6g} kg/m3 is outside the range of law '{EOS.of(par).name}', "
+                         f"{low if low > 1e-200 else 0.0:.6g} to {high:.6g} kg/m3")
     order = np.argsort(targets)
     logs = np.log(targets)
     e, u = np.empty_like(targets), np.empty_like(targets)

@@ -99,7 +99,7 @@ def znd(material, initial: Initial, rate: Rate | Any, *, overdrive: float = 1.0,
     inside the zone.
     """
     if not (points >= 3 and 0.0 < complete < 1.0):
-        raise OutOfRange("a reaction zone needs at least 3 points and 0 < complete < 1")
+        raise OutOfRange("a reaction zone needs at least 3 points, and a burn fraction at its end (complete) between 0 and 1")
     par, mixed = law_of(material), is_mixture(material)
     zone, least, times = zone_of(material, initial, rate, overdrive=overdrive, velocity=velocity)
     d = zone.flux / initial.density
@@ -157,8 +157,8 @@ def _rate_function(rate, zone) -> Callable[[Point], float]:
         return lambda point: rate(point.density, point.energy, point.pressure, point.fraction)
     law = BURN.of(rate)
     if {"programmed", "instantaneous"} & law.flags:
-        raise OutOfRange(f"the burn law '{law.name}' is programmed or instantaneous, without a rate, so its zone has no structure: "
-                         "give a rate, such as ignition_growth, arrhenius or pressure_power")
+        raise OutOfRange(f"the burn law '{law.name}' has no reaction rate, so there is no reaction zone to compute: "
+                         "use a law with a rate, such as ignition_growth, arrhenius or pressure_power")
     warm = "temperature_driven" in law.flags
     if warm and not math.isfinite(zone.temperature(zone.at(0.0))):
         raise OutOfRange(f"the burn law '{law.name}' needs a temperature, which the equation of state does not give: state its "

@@ -122,7 +122,7 @@ def test_pictures(tmp_path, arguments):
     (("znd", "lx_17", "--velocity", "7 km/s"), 3, "slower than the Chapman-Jouguet"), (("znd", "lx_17", "--velocity", "7 km"), 2, "expected a velocity"),
     (("znd", "lx_17", "--rate", "arhenius: frequency = 1"), 2, "did you mean 'arrhenius'"), (("znd", "lx_17", "--rate", "arrhenius: frequency"), 2, "gives no parameter"),
     (("znd", "lx_17", "--rate", "arrhenius: frequency = 1e6 1/s"), 2, "activation_temperature: missing"),
-    (("znd", "lx_17", "--complete", "1"), 3, "0 < complete < 1"), (("znd", "lx_17", "--heat", "1 MJ/kg", "--closure", "thermal_isolation"), 2, "omit one"),
+    (("znd", "lx_17", "--complete", "1"), 3, "(complete) between 0 and 1"), (("znd", "lx_17", "--heat", "1 MJ/kg", "--closure", "thermal_isolation"), 2, "omit one"),
     (("znd", "copper", "--heat", "1 MJ/kg"), 2, "has no burn law"), (("mixture", "lx_17"), 2, "no state is given"), (("mixture", "copper", "--shocked", "pressure = 1 GPa"), 2, "unreacted"),
     (("mixture", *LX17, "--burn-fraction", "1.5"), 2, "not a mass fraction"), (("mixture", *LX17, "--at", "density = 2 g/cm^3"), 2, "its density and its energy, pressure or temperature"),
     (("mixture", *LX17, "--at", "energy = 2 MJ/kg, pressure = 9 GPa"), 2, "density = 2.4 g/cm^3, pressure = 20 GPa"),

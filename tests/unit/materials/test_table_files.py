@@ -141,7 +141,7 @@ def broken_rows(solid, what):
 
 
 @pytest.mark.parametrize("what, message", [
-    ("gap", "a hole: no row gives density"), ("empty", "pressure: a hole: no value; a table gives every density"), ("nan", "a hole in energy at density"),
+    ("gap", "no row gives density"), ("empty", "pressure: the value is missing; a table needs a value at every density"), ("nan", "no energy is given at density"),
     ("falls", "energy must rise with temperature"), ("pressure", "squared sound speed is not positive"), ("word", "5 values, but the header names 4 columns"),
     ("twice", "is given twice, first on line 14"), ("negative", "is not a valid state; densities are positive")])
 def test_a_bad_row_is_told_with_its_line(tmp_path, solid, what, message):
@@ -169,7 +169,7 @@ def test_hdf5_files_keep_their_units_and_shapes(tmp_path, solid):
     for change, message in ((lambda f: f["pressure"].attrs.modify("unit", "GPa"), "pressure: is in 'GPa'; write it in Pa"),
                             (lambda f: f.__delitem__("energy"), "no dataset of numbers 'energy'"),
                             (lambda f: (f.__delitem__("energy"), f.create_dataset("energy", data=np.ones((3, 4)))), "12 densities and 9 temp"),
-                            (lambda f: f["energy"].__setitem__((4, 2), np.nan), "a hole in energy at density")):
+                            (lambda f: f["energy"].__setitem__((4, 2), np.nan), "no energy is given at density")):
         path = write_file(tmp_path, "h5", solid)
         with h5py.File(path, "a") as file:
             change(file)

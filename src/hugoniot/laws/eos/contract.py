@@ -234,12 +234,12 @@ def check_state(rho, e, par, c2_floor: float = 0.0) -> None:
     name = EOS.of(par).name
     low, high = density_limits(par)
     if not (math.isfinite(rho) and math.isfinite(e)):
-        raise OutOfRange(f"{name}: the state rho = {rho} kg/m3, e = {e} J/kg is not a finite number")
+        raise OutOfRange(f"{name}: density and energy must be finite numbers")
     if not low < rho < high:
         if rho >= high:
             raise OutOfRange(f"{name}: density {rho:.6g} kg/m3 is at or beyond the law's compression limit, {high:.6g} kg/m3; "
                              "stay below it or choose a law that reaches further")
-        raise OutOfRange(f"{name}: density {rho:.6g} kg/m3 is not above the lowest the law allows, {low:.6g} kg/m3")
+        raise OutOfRange(f"{name}: the density must be above {low:.6g} kg/m3, got {rho:.6g} kg/m3")
     if "energy_limits" in EOS.of(par).functions:
         cold, hot = EOS.of(par).functions["energy_limits"](rho, par)
         if not cold <= e <= hot:

@@ -146,7 +146,7 @@ def build(density, temperatures, pressure_table, energy_table, rho0=math.nan, re
     if bad := [] if least_sound_speed else unstable_corners(table):
         i, j = bad[0]
         raise UnsoundTable(f"table: the squared sound speed is not positive at density {rho[i]:.6g} kg/m3, temperature {t[j]:.6g} K "
-                           f"({len(bad)} such grid points); smooth the table, cut the grid there, or give least_sound_speed",
+                           f"({len(bad)} such grid points); smooth the table, end the grid before that point, or give least_sound_speed",
                            (i, j))
     if not math.isfinite(rho0):
         rho0 = _rest_density(table, reference_temperature)
@@ -161,7 +161,7 @@ def _grid(name, values):
         raise OutOfRange(f"table: the {name} grid needs at least two values")
     bad = np.flatnonzero(~np.isfinite(grid))
     if bad.size:
-        raise OutOfRange(f"table: {name} value {bad[0] + 1} is not a number")
+        raise OutOfRange(f"table: value {bad[0] + 1} of the {name} grid is not a number")
     bad = np.flatnonzero(np.diff(grid) <= 0.0)
     if bad.size:
         raise OutOfRange(f"table: the {name} grid must increase, but value {bad[0] + 2} ({grid[bad[0] + 1]:.6g}) does not exceed "
@@ -178,8 +178,8 @@ def _filled(name, values, rho, t):
     holes = np.argwhere(~np.isfinite(table))
     if holes.size:
         i, j = holes[0]
-        raise UnsoundTable(f"table: a hole in {name} at density {rho[i]:.6g} kg/m3, temperature {t[j]:.6g} K "
-                           f"({len(holes)} in all); fill it, or cut the grid there", (i, j))
+        raise UnsoundTable(f"table: no {name} is given at density {rho[i]:.6g} kg/m3, temperature {t[j]:.6g} K "
+                           f"({len(holes)} missing in all); add it, or end the grid before that point", (i, j))
     return table
 
 
@@ -189,7 +189,7 @@ def _check_energy(e, rho, t):
         i, j = bad[0]
         raise UnsoundTable(f"table: the energy must rise with temperature, but at density {rho[i]:.6g} kg/m3 it does not between "
                            f"{t[j]:.6g} and {t[j + 1]:.6g} K ({len(bad)} such places); "
-                           "correct the table, cut the grid there, or read it with repair = true", (i, j + 1))
+                           "correct the table, end the grid before that point, or read it with repair = true", (i, j + 1))
 
 
 def unstable_corners(table):

@@ -126,7 +126,7 @@ def start_state(material, region, density, pressure, temperature, energy):
     rho, e = initial_state(material.eos, density, pressure, temperature, energy)
     low, high = density_limits(material.eos)
     if not low < rho < high:
-        raise OutOfRange(f"region '{region.name}' starts at {rho:g} kg/m3, outside {low:g} to {high:g} where its law is defined")
+        raise OutOfRange(f"region '{region.name}' starts at {rho:g} kg/m3, outside the range of its law, {low:g} to {high:g} kg/m3")
     return rho, e, longitudinal_speed(material, rho, e)
 
 

@@ -183,7 +183,7 @@ def start_block(problem: Problem2D, block):
     rho, e = initial_state(material.eos, block.density, block.pressure, block.temperature, block.energy)
     low, high = density_limits(material.eos)
     if not low < rho < high:
-        raise OutOfRange(f"block '{block.name}' starts at {rho:g} kg/m3, outside {low:g} to {high:g} where its law is defined")
+        raise OutOfRange(f"block '{block.name}' starts at {rho:g} kg/m3, outside the range of its law, {low:g} to {high:g} kg/m3")
     return rho, e, float(pressure(rho, e, material.eos)), longitudinal_speed(material, rho, e)
 
 

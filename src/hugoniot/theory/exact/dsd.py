@@ -182,7 +182,7 @@ def _slab_speed(scale: float, edge: float) -> float:
 
     narrowest = math.sin(edge)
     if scale <= narrowest:
-        raise NoSolution(f"with this edge angle the detonation fails in slabs below a half-width of {narrowest:.5g} curvature lengths")
+        raise NoSolution(f"with this edge angle the detonation fails in slabs of a half-width below {narrowest:.5g} times curvature_length")
     return 1.0 - brentq(lambda g: half_width(g) - scale, 1e-300 if scale > 1e8 else 1e-18, 1.0 - 1e-12, xtol=1e-300, rtol=8.9e-16)
 
 

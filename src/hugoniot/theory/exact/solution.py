@@ -1,5 +1,6 @@
 """What an exact solution is: a callable of positions and time that returns fields by their standard names."""
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
@@ -36,9 +37,9 @@ class Solution:
 
     def _checked(self, time: float) -> float:
         if not self.times[0] <= time <= self.times[1]:
-            start = "above 0" if self.times[0] == 1e-300 else f"from {self.times[0]:g}"
-            raise OutOfRange(f"{self.title}: time {time:g} is outside the times for which the solution is valid, {start} to "
-                             f"{self.times[1]:g}")
+            start = "above 0 s" if self.times[0] == 1e-300 else f"from {self.times[0]:g} s"
+            end = "" if math.isinf(self.times[1]) else f" to {self.times[1]:g} s"
+            raise OutOfRange(f"{self.title}: the solution holds for times {start}{end}, not at {time:g} s")
         return float(time)
 
     def __call__(self, positions, time: float) -> dict[str, np.ndarray]:
