@@ -67,7 +67,7 @@ def test_a_shell_falls_in_a_central_field():
 
 @pytest.mark.parametrize("geometry, force, words", [
     ("spherical", "acceleration = -9.81", "a uniform force has no spherical symmetry"),
-    ("planar", 'acceleration = -9.81\nexponent = 1\nradius = "1 m"', "belong to curved geometry"),
+    ("planar", 'acceleration = -9.81\nexponent = 1\nradius = "1 m"', "apply to curved geometry only"),
     ("planar", 'acceleration = "5 m/s"', "body_force.acceleration"),
 ])
 def test_forces_that_cannot_be(geometry, force, words):

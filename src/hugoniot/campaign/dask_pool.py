@@ -72,7 +72,7 @@ class DaskPool:
             import distributed
         except ImportError:
             raise DeckError.single("command line", None, "--engine dask", "dask.distributed is not installed",
-                                   "pip install 'hugoniot[cluster]'") from None
+                                   "install it with: pip install 'hugoniot[cluster]'") from None
         self.hello = json.dumps({"question": question, "known": sorted(known)})
         self.distributed, self.count, self.scheduler, self.time_limit = distributed, count, scheduler, time_limit
         self.cluster: Any = None

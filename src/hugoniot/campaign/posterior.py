@@ -70,7 +70,7 @@ def checked(kind: str) -> None:
         import emcee  # noqa: F401
     except ImportError:
         raise DeckError.single("command line", None, "--posterior", "the package emcee is not installed",
-                               "pip install 'hugoniot[posterior]'") from None
+                               "install it with: pip install 'hugoniot[posterior]'") from None
 
 
 def posterior_of(problem: Problem, best: Minimum, kind: str, runs: int | None = None, seed: int = 0) -> Posterior:

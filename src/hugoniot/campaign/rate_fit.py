@@ -120,7 +120,7 @@ class _Unknowns:
                              f"name the constants to adjust once each; {law.name} has: {', '.join(law.parameters._fields)}")
         self.pressures = tuple(sorted(set(float(p) for p in pressures)))
         if len(self.pressures) < len(self.names) or not all(0.0 < p < math.inf for p in self.pressures):
-            raise OutOfRange(f"at least as many pressures are needed as constants ({len(self.names)}), all positive")
+            raise OutOfRange(f"give at least as many input pressures as constants to fit ({len(self.names)}), all positive")
         self.middle = math.exp(sum(map(math.log, self.pressures)) / len(self.pressures))
         self.power = {name: match.group(1) for name in law.parameters._fields
                       if (match := re.search(r"Pa\^(\w+)", law.units[name])) is not None}

@@ -89,7 +89,8 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
     if wishes.posterior is not None:
         checked(wishes.posterior)
     if wishes.posterior_runs is not None and wishes.posterior is None:
-        raise refuse("--posterior-runs", str(wishes.posterior_runs), "no posterior is requested", "write --posterior surrogate, or runs")
+        raise refuse("--posterior-runs", str(wishes.posterior_runs), "no posterior is requested",
+                     "add --posterior surrogate, or --posterior runs")
     if wishes.posterior_runs is not None and wishes.posterior_runs < 8:
         raise refuse("--posterior-runs", str(wishes.posterior_runs), "too few runs for a posterior", "give a few hundred")
     folder = None if out is False else claimed(pathlib.Path(out or f"{source.stem}.fit"))

@@ -25,7 +25,7 @@ def single_threaded() -> int:
 
     threads = numba.config.NUMBA_NUM_THREADS    # type: ignore[attr-defined]
     if threads != 1:
-        raise HugoniotError(f"a worker of a sweep computes with one thread, but NUMBA_NUM_THREADS is {threads}")
+        raise HugoniotError(f"a worker of a sweep computes with one thread, but NUMBA_NUM_THREADS is {threads}: set it to 1")
     return threads
 
 

@@ -120,7 +120,7 @@ def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | No
 
     for option, text, kinds in (("--x", x, WITH_X), ("--t", t, WITH_T), ("--range", shown, WITH_VALUES)):
         if text is not None and kind not in kinds:
-            raise DeckError.single("plot", None, option, f"not available for a picture of kind '{kind}'",
+            raise DeckError.single("plot", None, option, f"does not apply to the picture '{kind}'",
                                    f"it applies to {', '.join(kinds)}")
     unit = "m/s" if kind == "free_surface" else describe(field or ("pressure" if kind == "map" else "stress"))[0]
     return [None if text is None else span(text, kind_of, option)
@@ -145,7 +145,7 @@ def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: 
         if not value:
             continue
         if kind not in kinds:
-            raise DeckError.single("plot", None, shown, f"not available for a picture of kind '{kind}'",
+            raise DeckError.single("plot", None, shown, f"does not apply to the picture '{kind}'",
                                    f"it applies to {', '.join(kinds)}")
         options[name] = quantity(value, "s", shown) if name in ("time", "delay") else value
     return options
@@ -155,7 +155,7 @@ def _of_the_plane(kind: str, plane: bool, line: str | None, layers: str | None) 
     """The options that only pictures of two dimensions have."""
     for option, text, wanted in (("--line", line, "profile"), ("--layers", layers, "map")):
         if text is not None and (kind != wanted or not plane):
-            raise DeckError.single("plot", None, option, f"does not apply to this picture of kind '{kind}'",
+            raise DeckError.single("plot", None, option, f"does not apply to the picture '{kind}'",
                                    f"it applies to a {wanted} in two dimensions")
     options: dict[str, Any] = {}
     if line is not None:

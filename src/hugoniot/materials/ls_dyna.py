@@ -138,7 +138,7 @@ def material_tables(cards: dict[str, dict[str, float]], scale: Scale, file: str,
 def _gruneisen(card: dict[str, float], scale: Scale, rho0: float, file: str) -> dict[str, Any]:
     if card.get("E0", 0.0) != 0.0 or card.get("V0", 1.0) not in (0.0, 1.0):
         raise DeckError.single(file, None, "*EOS_GRUNEISEN", "an initial energy E0 or volume V0 on the card is not supported",
-                               "set them to 0 and 1, and give the state in the region of the deck")
+                               "set E0 = 0 and V0 = 1, and give the state in the region of the deck")
     table = {"law": "mie_gruneisen", "rho0": rho0, "c0": card["C"] * scale.speed, "gamma0": card["GAMAO"]}
     if not (card["S2"] or card["S3"] or card["A"]):
         return table | {"s": card["S1"]}
@@ -149,7 +149,7 @@ def _gruneisen(card: dict[str, float], scale: Scale, rho0: float, file: str) -> 
 def _jwl(card: dict[str, float], scale: Scale, rho0: float, file: str) -> dict[str, Any]:
     if card.get("VO", 0.0) not in (0.0, 1.0):
         raise DeckError.single(file, None, "*EOS_JWL", "an initial volume VO on the card is not supported",
-                               "set it to 1, and give the state in the region of the deck")
+                               "set VO = 1, and give the state in the region of the deck")
     return {"law": "jwl", "a": card["A"] * scale.pressure, "b": card["B"] * scale.pressure, "r1": card["R1"], "r2": card["R2"],
             "omega": card["OMEG"], "rho0": rho0, "e0": card["E0"] * scale.pressure}
 

@@ -71,7 +71,7 @@ def _named_inside(table: Any, inherited: Any, collector: Collector, path: tuple)
 def from_library(name: Any, collector: Collector, path: tuple, others: tuple[str, ...] = ()) -> Material | None:
     """A material of the library by name; `others` are names the hint should offer too."""
     if not isinstance(name, str):
-        collector.add(path, "expected the name of a material, a string")
+        collector.add(path, "expected the name of a material in quotes")
         return None
     try:
         return library.find(name[:200], brief=collector.full)

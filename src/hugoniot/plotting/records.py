@@ -89,7 +89,7 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
         raise DeckError.single(run.folder, None, "gauge", "this run has recorded no free surface", "add a gauge at 'free surface right'")
     if delay >= time[-1] - time[0]:
         raise DeckError.single(run.folder, None, "delay", f"{format_si(delay, 's', 4)} is longer than the record",
-                               f"the record lasts {format_si(time[-1] - time[0], 's', 4)}")
+                               f"give less than {format_si(time[-1] - time[0], 's', 4)}")
     ax = ax if ax is not None else new_axes()
     unit_t, ft = time_scale(time[-1])
     unit, fu, _ = field_scale("velocity", velocity)

@@ -58,7 +58,7 @@ def read_boundary(value: Any, collector: Collector, path: tuple) -> Boundary | N
         return None
     kind = value.get("kind")
     if isinstance(kind, str) and kind in PLAIN and not set(value) & set(DRIVEN):
-        collector.add(path, f"a boundary of kind '{kind}' is given by that word, not by a table",
+        collector.add(path, f"'{kind}' must be given as a string, not in a table",
                       f"write [boundary] with {path[-1]} = \"{kind}\"")
         return None
     for key in value:

@@ -150,7 +150,7 @@ def _check_values(raw: Any, name: str) -> None:
     while waiting:
         value, depth, key = waiting.pop()
         if isinstance(value, int) and not -2**63 <= value < 2**63:
-            raise DeckError.single(name, None, printable(key), "not a deck: an integer of more than 64 bits")
+            raise DeckError.single(name, None, printable(key), "not a deck: a whole number of more than 64 bits")
         if isinstance(value, (dict, list)):
             if depth > DEEPEST:
                 raise DeckError.single(name, None, "deck", "not a deck: tables and arrays nested too deeply")

@@ -63,11 +63,12 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
         if not any(body[0].start <= point.position <= body[-1].end for body in bodies):
             spans = ", ".join(f"'{body[0].name}' {format_si(body[0].start, 'm')} to {format_si(body[-1].end, 'm')}" for body in bodies)
             found.append((("lighting", k, "at"), f"no explosive with programmed burn at {format_si(point.position, 'm')}",
-                          f"move it inside: {spans}" if spans else "no material of this problem has a programmed burn law"))
+                          f"move it into {spans}" if spans else "no material of this problem has a programmed burn law"))
     for body in bodies:
         if not any(body[0].start <= point.position <= body[-1].end for point in problem.lighting):
             names = ", ".join(f"'{region.name}'" for region in body)
-            found.append((("lighting",), f"programmed burn of {names} needs a lighting point", "add [[lighting]] with at = a place from "
+            found.append((("lighting",), f"programmed burn of {names} needs a lighting point",
+                          "add [[lighting]] with at = \"...\", a position from "
                           f"{format_si(body[0].start, 'm')} to {format_si(body[-1].end, 'm')}, or burn = \"none\" to start with products"))
     return found
 

@@ -40,6 +40,8 @@ def read_yaml(text: str, file: str, folders: Sequence[Path] = (Path(),)) -> KoDe
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         words = printable(str(getattr(error, "problem", None) or "not readable"), 100)
+        if words.startswith("could not determine a constructor"):
+            words = "a value has a tag (!...) that a deck cannot contain"
         raise DeckError.single(file, mark.line + 1 if mark else None, "deck", f"not YAML: {words}") from None
     except (RecursionError, ValueError):
         raise DeckError.single(file, None, "deck", "not a deck in YAML") from None
@@ -56,7 +58,7 @@ def _check_size(text: str, file: str) -> None:
         depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
         wrong = (f"more than {MOST_VALUES} values are too many" if count > MOST_VALUES else
                  "tables and arrays nested too deeply" if depth > DEEPEST else
-                 f"a value of more than {LONGEST} characters" if len(getattr(event, "value", "")) > LONGEST else "")
+                 f"a value has more than {LONGEST} characters" if len(getattr(event, "value", "")) > LONGEST else "")
         if wrong:
             raise DeckError.single(file, event.start_mark.line + 1, "deck", f"not a deck: {wrong}")
 
@@ -231,7 +233,7 @@ class _Reader:
         try:
             number = float(value) if not isinstance(value, bool) else float("nan")
             if kind and kind not in self.units and number != 0.0:
-                raise self.wrong(f"units.{kind}", f"is not given, and {path} needs it", f'for example {kind}: "{_KINDS[kind]}"')
+                raise self.wrong(f"units.{kind}", f"missing, but {path} needs it", f'for example {kind}: "{_KINDS[kind]}"')
             return parse(f"{number!r} {self.units.get(kind, _KINDS[kind])}", _KINDS[kind]) if kind else parse(number, "1")
         except UnitError as error:
             raise self.wrong(path, error.message, error.hint) from None

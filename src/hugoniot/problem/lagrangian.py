@@ -28,7 +28,7 @@ MOST_GAUGES = 10_000
 
 def _velocity(value: Any) -> float | tuple[float, float]:
     if isinstance(value, list) and len(value) != 2:
-        raise trouble(f"expected one velocity or two (at the start and the end of the region), got {len(value)}")
+        raise trouble(f"expected one velocity or two (at the start and the end of the region), got an array of {len(value)}")
     try:
         numbers = [parse(v, "m/s") for v in (value if isinstance(value, list) else [value])]
     except UnitError as error:

@@ -73,7 +73,7 @@ def _named(name: str, x: float) -> Number:
         return Number(x, (1, 0, 0, 0, 0))
     if name == "pi":
         return Number(math.pi)
-    raise Trouble(f"unknown name '{printable(name, 40)}'", "the names in a profile are x, the position, and pi")
+    raise Trouble(f"unknown name '{printable(name, 40)}'", "a profile may contain x (the position) and pi")
 
 
 def read_profile(table: ProfileTable | None, nodes: np.ndarray, collector: Collector, path: tuple) -> Profile | None:

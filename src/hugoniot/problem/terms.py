@@ -123,7 +123,8 @@ def _heat_sources(raw: Any, collector: Collector) -> tuple[HeatSource, ...]:
             continue
         given = [(name, unit) for name, unit in (("power", "W/kg"), ("intensity", "W/m^2")) if getattr(table, name) is not None]
         if len(given) != 1:
-            collector.add(path, "a heat source needs one of power and intensity", "power in W/kg, or intensity in W/m^2 through a face")
+            collector.add(path, "a heat source needs exactly one of power and intensity",
+                          "give power in W/kg, or intensity in W/m^2 through a face")
             continue
         if (table.depths is None) != (table.weights is None) or table.depths and len(table.depths) != len(table.weights):
             collector.add((*path, "depths"), "a profile needs as many weights as depths")
@@ -185,7 +186,8 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
         found.append((("body_force",), f"a uniform force has no {problem.geometry} symmetry",
                       "give exponent and radius of a field about the axis or the centre"))
     if force is not None and not curved and (force.exponent is not None or force.radius is not None):
-        found.append((("body_force",), "exponent and radius belong to curved geometry", "in planar geometry the field is uniform"))
+        found.append((("body_force",), "exponent and radius apply to curved geometry only",
+                      "leave them out: in planar geometry the force is uniform"))
     regions = {region.name: region for region in problem.regions}
     for k, source in enumerate(problem.heat_sources):
         region = regions.get(source.region)
@@ -195,7 +197,8 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
             found.append((("heat_source", k, "region"), f"'{source.region}' burns: how reactants and products share the heat is unknown",
                           "heat an inert region"))
         elif source.depths and source.depths[0] >= region.end - region.start:
-            found.append((("heat_source", k, "depths"), f"the profile begins beyond '{source.region}'", "depth counts from its face"))
+            found.append((("heat_source", k, "depths"), f"the profile begins beyond '{source.region}'",
+                          "depths are measured from the face of the region"))
         elif source.kind == "intensity" and curved and source.side == "left" and region.start == 0.0:
             found.append((("heat_source", k, "side"), "nothing passes through the axis or the centre", 'use side = "right", or power'))
     for name, table in problem.transport.items():

@@ -189,7 +189,7 @@ def test_axes_are_limited_in_si_units(run, tmp_path):
     show_only(ax, (0.25 * end, 0.5 * end), (-1e8, 2e8))
     unit = si_factor(ax.get_xlabel().rpartition("(")[2].rstrip(")"))
     assert ax.get_xlim() == pytest.approx((0.25 * end / unit, 0.5 * end / unit))
-    with pytest.raises(DeckError, match="not available for a picture of kind 'profile'"):
+    with pytest.raises(DeckError, match="does not apply to the picture 'profile'"):
         _limits("profile", "", None, "1..2 us", None)
     with pytest.raises(DeckError, match="is not a range"):
         span("5..1 mm", "m", "--x")

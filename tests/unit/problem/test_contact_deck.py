@@ -110,7 +110,7 @@ def test_a_wrong_contact_is_refused_with_its_line(words):
 
 
 def test_a_contact_of_one_body_is_refused():
-    with pytest.raises(DeckError, match="touches nothing else"):
+    with pytest.raises(DeckError, match="no other that it could touch"):
         read("[[contact]]\nfriction = 0.1\n", start=4)
 
 

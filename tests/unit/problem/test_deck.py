@@ -116,7 +116,7 @@ def test_a_word_written_as_a_table_of_a_boundary_is_answered_with_the_right_form
     with pytest.raises(DeckError) as told:
         problem(end='[boundary.right]\nkind = "transmitting"\n')
     assert [str(p) for p in told.value.problems][0].endswith(
-        "boundary.right: a boundary of kind 'transmitting' is given by that word, not by a table; write [boundary] with right = \"transmitting\"")
+        "boundary.right: 'transmitting' must be given as a string, not in a table; write [boundary] with right = \"transmitting\"")
     assert len(told.value.problems) == 1
 
 

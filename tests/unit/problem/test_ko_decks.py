@@ -195,8 +195,8 @@ def test_the_command_writes_a_deck_once(tmp_path, capsys):
     ("rho0: 2.785", "rho0: 0.0", "mat1.init.rho0: 0 kg/m.3 is not a density"),
     ("nrhomin: 0.9", "nrhomin: 0.0", "mat2.frac.nrhomin: 0 is not a valid limit"),
     ("pfrac: 1E20", "pfrac: -1.0", "mat2.frac.pfrac: -1e.09 is not a valid limit"),
-    ("time: microsecond, ", "", "units.time: is not given, and tstop needs it"),
-    ("units: {", "units: !!python/object/apply:os.getcwd {", "not YAML: could not determine a constructor"),
+    ("time: microsecond, ", "", "units.time: missing, but tstop needs it"),
+    ("units: {", "units: !!python/object/apply:os.getcwd {", "not YAML: a value has a tag"),
     ("name: own plates", "a: &a {b: *a}", "aliases are expanded")])
 def test_a_wrong_deck_of_theirs_is_refused(old, new, message):
     assert old in PLATES

@@ -110,7 +110,8 @@ def match(
     from hugoniot.cli.eos import match as eos_match
 
     if len(materials) < 2:
-        raise DeckError.single("command line", None, "match", "an impact needs a flyer and at least one target", "name two or more")
+        raise DeckError.single("command line", None, "match", "an impact needs a flyer and at least one target",
+                               "name two materials or more")
     if ring_up and len(materials) < 3:
         raise DeckError.single("command line", None, "--ring-up", "--ring-up needs a layer between two "
                                                                   "others", "name three materials or more")

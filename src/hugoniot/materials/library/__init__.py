@@ -221,7 +221,7 @@ def _of_row(identity: str) -> Entry:
     try:
         cards.card(row)
     except ValueError as error:
-        raise DeckError.single("library", None, identity, str(error), f"hugoniot material show {identity} prints it") from error
+        raise DeckError.single("library", None, identity, str(error), f"hugoniot material show {identity} prints the row") from error
     tables: dict = {"eos": {"row": identity}, "title": f"{row.material} (row {identity})"}
     if "up_max" in row:
         tables["valid_up_to"] = f"{identity}.up_max"
@@ -259,7 +259,7 @@ def _of_set(row: schema.Row) -> Entry:
         made = make_entry(row.id, tables, f"row {row.id}", category="explosive")
     except DeckError as error:
         raise DeckError.single("library", None, row.id, f"the set {row.id} ({row.material}) does not make a material: "
-                               f"{error.problems[0].message}", "hugoniot material show lists its contents") from error
+                               f"{error.problems[0].message}", f"hugoniot material show {row.id} lists its contents") from error
     return replace(made, curated=False)
 
 
@@ -281,10 +281,14 @@ def windows(name: str) -> tuple[schema.Row, ...]:
     return tuple(row for row in schema.table("windows").values() if (curated_name(row.material) or spelling(row.material)) == known)
 
 
+def _brief(source: str) -> str:
+    return source if len(source) <= 50 else f"{source[:47].rsplit(' ', 1)[0]} ..."
+
+
 def _unknown(name: str, rows: tuple[str, ...], also: Mapping[str, str], brief: bool) -> UnknownMaterial:
     if rows:
-        hint = f"choose one of the sources by its row: {', '.join(f'{i} ({schema.row(i).source[:40]})' for i in rows)}"
-        message = f"'{name}' is not a curated material, and {len(rows)} sources have it"
+        hint = f"choose one of them by its row: {', '.join(f'{i} ({_brief(schema.row(i).source)})' for i in rows)}"
+        message = f"'{name}' is not a curated material, and the library has it from {len(rows)} sources"
     else:
         known = {} if brief else {**also, **spellings(), **{k: schema.row(v[0]).material for k, v in uncurated().items()}}
         near = nearest(name, known) if known else []

@@ -51,7 +51,7 @@ def check_bodies(contacts: Sequence[Contact2D], rows: Sequence, mesh: Blocks | N
         return
     for i, contact in enumerate(contacts):
         if contact.between is None and not rigid and bodies(mesh).max() == 0 and len(contacts) == 1:
-            collector.add(("contact", i), "all blocks are joined into one body, which touches nothing else",
+            collector.add(("contact", i), "all blocks are joined into one body, and there is no other that it could touch",
                           'name two blocks with between = ["A", "B"], or leave it out')
 
 
@@ -95,7 +95,7 @@ def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector
             collector.add((*path, "name"), message, "names of blocks and rigid bodies must differ")
         names.add(row.name)
         if len(set(row.points)) < len(row.points):
-            collector.add((*path, "points"), "lists a point twice", "closed = true joins the last point to the first")
+            collector.add((*path, "points"), "lists a point twice", "leave the last point out: closed = true joins it to the first")
         elif row.closed and len(row.points) < 3:
             collector.add((*path, "points"), "a closed body needs at least three points")
         if axes[0] == "r" and min(x for x, _ in row.points) < 0.0:

@@ -24,7 +24,7 @@ def defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
 
 def _lighting_defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
     lit = bodies(problem)
-    names = ", ".join(f"'{problem.blocks[k].name}'" for body in lit for k in body.blocks)
+    names = " or ".join(f"'{problem.blocks[k].name}'" for body in lit for k in body.blocks)
     found = []
     for k, point in enumerate(problem.lighting):
         for key, place in (("at", point.at), ("to", point.to)):

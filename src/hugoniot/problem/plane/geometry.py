@@ -135,8 +135,7 @@ def read_velocity(row: BlockTable, axes: tuple[str, str], collector: Collector, 
         return None
     motion = VelocityField(**table.model_dump())
     if axes[0] == "r" and motion.rotation != 0.0:
-        collector.add((*path, "velocity", "rotation"), "does not apply to axisymmetric geometry",
-                      "there is no rotation about the axis; leave it out")
+        collector.add((*path, "velocity", "rotation"), "does not apply to axisymmetric geometry, where nothing rotates", "leave it out")
         return None
     return motion
 
