@@ -94,6 +94,9 @@ def read_tables(raw: dict, text: str, name: str, overrides: dict[str, Any] | Non
     if changed:
         collector.line_of = partial(_line_unless, changed, collector.line_of)
     kind = _solver_kind(raw, collector)
+    if kind is None:
+        _add_what_every_solver_refuses(raw, collector)
+        raise collector.error()
     module = solver_module(kind)
     model = schema.validate(module.Model, raw, collector)
     materials = {**_materials(raw, collector), **_own_materials(raw, places, beside)}
@@ -158,19 +161,40 @@ def _check_values(raw: Any, name: str) -> None:
             waiting += [(v, depth + 1, str(k)) for k, v in inner]
 
 
-def _solver_kind(raw: dict, collector: Collector) -> str:
+def _solver_kind(raw: dict, collector: Collector) -> str | None:
+    """The solver the deck asks for; None after reporting that there is none of that name."""
     solver = raw.get("solver", {})
     kind = solver.get("kind", "lagrange1d") if isinstance(solver, dict) else "lagrange1d"
     known = available_solvers()
     if kind not in known:
         shown = printable(kind) if isinstance(kind, str) else "not a string"
-        line = collector.line_of(("solver", "kind"))
-        raise DeckError.single(collector.file, line, "solver.kind", f"unknown solver '{shown}'", nearest(shown, known))
-    if "block" in raw and "region" not in raw and kind != "lagrange2d":
+        collector.add(("solver", "kind"), f"unknown solver '{shown}'", nearest(shown, known))
+        return None
+    if _plane(raw) and kind != "lagrange2d":
         message = f"the solver '{kind}' takes [[region]], not [[block]]"
         raise DeckError.single(collector.file, collector.line_of(("block",)), "block", message,
                                'for two dimensions write [solver] with kind = "lagrange2d"')
     return kind
+
+
+def _plane(raw: dict) -> bool:
+    return "block" in raw and "region" not in raw
+
+
+def _add_what_every_solver_refuses(raw: dict, collector: Collector) -> None:
+    """Report what is wrong with a deck whatever its solver: materials, and keys that no solver for its regions or blocks takes."""
+    rest = {key: value for key, value in raw.items() if key != "solver"}
+    refused = []
+    for kind in available_solvers():
+        model = solver_module(kind).Model
+        if ("block" in schema.keys_of(model)) == _plane(raw):
+            own = Collector([], collector.file, collector.line_of, raw, collector.folder)
+            schema.validate(model, rest, own)
+            refused.append({(p.line, p.key, p.message.partition(" (")[0]): p for p in own.problems if p.key != "solver"})
+    alike = [problem for place, problem in refused[0].items() if all(place in other for other in refused[1:])]
+    collector.take(DeckError(alike))
+    _materials(raw, collector)
+    collector.texts(("title",), raw.get("title"))
 
 
 def _materials(raw: dict, collector: Collector) -> dict:

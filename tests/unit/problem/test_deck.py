@@ -286,3 +286,14 @@ def test_a_linear_viscosity_of_a_problem_made_in_python_holds_in_every_material(
 def test_only_the_limited_viscosity_has_a_coefficient_of_condensed_material(solver):
     with pytest.raises(DeckError, match="unknown key"):
         read_deck_text(deck(end=f"[solver]\n{solver}\nlinear_condensed = 0.5\n"))
+
+
+def test_a_deck_with_a_wrong_solver_is_told_what_every_solver_would_refuse():
+    text = catalogue.deck_text("flyer")
+    text = text.replace("\nstop_time", "\nstop_tme", 1) + "\n[solvr]\nx = 1\n[material.bad.eos]\nlaw = \"mie_grneisen\"\n"
+    text = text.replace("\n[solver]", "\n[solver]\nkind = \"lagrange7d\"", 1)
+    with pytest.raises(DeckError) as told:
+        read_deck_text(text, "deck.toml")
+    found = {p.key: p.message for p in told.value.problems}
+    assert found["solver.kind"] == "unknown solver 'lagrange7d'" and found["stop_tme"] == found["solvr"] == "unknown key"
+    assert "stop_time" in found and "unknown eos law" in found["material.bad.eos.law"]
