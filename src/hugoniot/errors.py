@@ -1,6 +1,7 @@
 """Errors that the package raises. All are derived from `HugoniotError`."""
 
 from dataclasses import dataclass, field
+from math import isfinite
 
 
 class HugoniotError(Exception):
@@ -86,7 +87,7 @@ class UnphysicalState(HugoniotError):
             where = [f"block '{self.region}'"]
         else:
             where = [f"zone {self.zone}" + (f" of region '{self.region}'" if self.region else "")]
-        if self.position is not None:
+        if self.position is not None and isfinite(self.position):
             where.append(f"at {self.position:.6g} m")
         if self.time is not None:
             where.append(f"t = {self.time:.6g} s")

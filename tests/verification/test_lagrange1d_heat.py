@@ -259,7 +259,7 @@ initial_step = 1e-10
 @pytest.mark.parametrize("table, words", [
     ('[transport.iron]\nviscosity = {law = "constant", shear_viscosity = 1.0}', "no region is made of 'iron'"),
     ("[transport.block]\nbulk_ratio = 1.0", "needs a shear viscosity"),
-    ('[transport.block]\nconduction = {law = "prandtl", prandtl = 0.7}', "Prandtl number without a viscosity"),
+    ('[transport.block]\nconduction = {law = "prandtl", prandtl = 0.7}', "a Prandtl number needs a viscosity"),
     ('[transport.block]\nconduction = {law = "constant", conductivity = -1.0}', "must"),
 ])
 def test_transport_that_cannot_be(table, words):

@@ -180,8 +180,8 @@ def _doubts(problem, best, parameters, correlation, chi_square, freedom, probabi
         found.append("the search ended before it converged: the values are not at the minimum")
     near = [cost for _, cost in others if cost < best.cost + 10.0 * max(1.0, best.cost / max(freedom, 1))]
     if near:
-        found.append(f"{len(near)} other minimum fits nearly as well: see others in fit.json" if len(near) == 1 else
-                     f"{len(near)} other minima fit nearly as well: see others in fit.json")
+        found.append(f"{len(near)} other minimum fits nearly as well: see 'others' in fit.json" if len(near) == 1 else
+                     f"{len(near)} other minima fit nearly as well: see 'others' in fit.json")
     return found
 
 

@@ -92,7 +92,7 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
         raise refuse("--posterior-runs", str(wishes.posterior_runs), "no posterior is requested",
                      "add --posterior surrogate, or --posterior runs")
     if wishes.posterior_runs is not None and wishes.posterior_runs < 8:
-        raise refuse("--posterior-runs", str(wishes.posterior_runs), "too few runs for a posterior", "give a few hundred")
+        raise refuse("--posterior-runs", str(wishes.posterior_runs), "too few runs for a posterior", "give a few hundred runs")
     folder = None if out is False else claimed(pathlib.Path(out or f"{source.stem}.fit"))
     question = Deck(text, source.name, os.path.abspath(source.parent), [os.path.abspath(m) for m in materials], points=POINTS)
     free = tuple(Free(_range(word)) for word in wishes.free)

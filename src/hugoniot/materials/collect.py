@@ -40,6 +40,19 @@ def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
     return f"known: {', '.join(printable(word, 40) for word in known[:40])}" + (", ..." if len(known) > 40 else "")
 
 
+def explained(key: str, meaning: str) -> str:
+    """What a key is, as the end of a message: in brackets, because after a semicolon it would read as advice."""
+    return f" ({key}: {meaning})" if meaning else ""
+
+
+def shown_value(value) -> str:
+    """A value of the wrong kind, as a user of TOML knows it."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    kinds = {dict: "a table", list: "an array"}
+    return kinds.get(type(value)) or (f"'{printable(value, 40)}'" if isinstance(value, str) else printable(value, 40))
+
+
 class Collector:
     """Adds a `DeckProblem` per finding; a path is the tuple of keys and array indices from the root of the file.
 

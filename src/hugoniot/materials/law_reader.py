@@ -14,7 +14,7 @@ from hugoniot.core.registry import Law, Registry, finite
 from hugoniot.errors import HugoniotError
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials import table_law
-from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.collect import Collector, explained, nearest, printable, shown_value
 from hugoniot.materials.tables import accepted, law_table
 
 LONGEST_ARRAY = 1_000_000
@@ -98,38 +98,25 @@ def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: C
     if isinstance(value, str) and EOS.knows(getattr(law.example, key, None)) and collector.reported(path):
         return None     # the name of a material, which was looked up in vain
     if (wanted := _other_kind(getattr(law.example, key, None), value)) is not None:
-        collector.add(path, f"expected {wanted}, got {_shown(value)}{_explained(law, key)}")
+        collector.add(path, f"expected {wanted}, got {shown_value(value)}{explained(key, law.meaning.get(key, ''))}")
         return None
     if isinstance(value, dict):
         return read_law(registry, value, collector, path)
     if unit == "text":
         if not isinstance(value, str):
-            collector.add(path, f"expected a string, got {_shown(value)}{_explained(law, key)}")
+            collector.add(path, f"expected a string, got {shown_value(value)}{explained(key, law.meaning.get(key, ''))}")
         return value
     if isinstance(value, list):
         return _read_array(value, unit, collector, path)
     preset = law.defaults.get(key)
     if isinstance(preset, bool):
         if not isinstance(value, bool):
-            collector.add(path, f"expected true or false, got {_shown(value)}")
+            collector.add(path, f"expected true or false, got {shown_value(value)}")
         return value
     number = collector.quantity(path, value, unit)
     if number is not None:
         _check_bounds(law, key, number, unit, collector, path)
     return number
-
-
-def _explained(law: Law, key: str) -> str:
-    """What a parameter is, in brackets: after a semicolon it would read as advice."""
-    return f" ({key}: {law.meaning[key]})" if law.meaning.get(key) else ""
-
-
-def _shown(value: Any) -> str:
-    """A value of the wrong kind, as a user of TOML knows it."""
-    if isinstance(value, bool):
-        return str(value).lower()
-    kinds = {dict: "a table", list: "an array"}
-    return kinds.get(type(value)) or (f"'{printable(value, 40)}'" if isinstance(value, str) else printable(value, 40))
 
 
 def _check_bounds(law: Law, key: str, number: float, unit: str, collector: Collector, path: tuple) -> None:
@@ -140,11 +127,11 @@ def _check_bounds(law: Law, key: str, number: float, unit: str, collector: Colle
     elif key in law.above or (unit == "kg/m^3" and key not in law.least):
         bound = law.above.get(key, 0.0)
         if not number > bound:
-            collector.add(path, f"must be greater than {bound:g}, got {shown}{_explained(law, key)}")
+            collector.add(path, f"must be greater than {bound:g}, got {shown}{explained(key, law.meaning.get(key, ''))}")
     elif key in law.least or unit == "K":
         bound = law.least.get(key, 0.0)
         if not number >= bound:
-            collector.add(path, f"must not be less than {bound:g}, got {shown}{_explained(law, key)}")
+            collector.add(path, f"must not be less than {bound:g}, got {shown}{explained(key, law.meaning.get(key, ''))}")
 
 
 def _other_kind(example: Any, value: Any) -> str | None:

@@ -82,7 +82,8 @@ def _dataset(file, name: str, path) -> np.ndarray:
     if found.external or found.is_virtual:
         raise DeckError.single(path, None, name, "its numbers are stored in another file", "copy them into this one")
     if not 0 < (found.size or 0) <= _MOST_VALUES or found.ndim > 2:
-        raise DeckError.single(path, None, name, f"is of shape {found.shape}", f"a table has up to {_MOST_VALUES} values")
+        raise DeckError.single(path, None, name, f"has {_size(found.shape)} values in {found.ndim} dimensions",
+                               f"a table has at most {_MOST_VALUES} values in one or two dimensions")
     unit = found.attrs.get("unit", UNITS[name])
     unit = unit.decode("utf-8", "replace") if isinstance(unit, bytes) else str(unit)
     if unit not in (UNITS[name], *_SPELLINGS.get(UNITS[name], ())):

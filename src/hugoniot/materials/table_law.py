@@ -20,7 +20,7 @@ from typing import Any
 
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.materials import sesame, tables_io
-from hugoniot.materials.collect import Collector, printable
+from hugoniot.materials.collect import Collector, explained, printable, shown_value
 
 LAW = "table"
 UNITS = {"file": "text", "rho0": "kg/m^3", "reference_temperature": "K", "density_range": "kg/m^3", "temperature_range": "K",
@@ -51,22 +51,22 @@ def read_table_law(table: dict, collector: Collector, path: tuple) -> Any:
         elif key in ("number", "table"):
             given["material" if key == "number" else key] = value
             if isinstance(value, bool) or not isinstance(value, int):
-                collector.add((*path, key), "expected a whole number", MEANING[key])
+                collector.add((*path, key), f"expected a whole number, got {shown_value(value)}{explained(key, MEANING[key])}")
             elif key == "table" and value not in sesame.PARTS:
-                collector.add((*path, key), f"{value} is not a table of pressures and energies", MEANING[key])
+                collector.add((*path, key), f"{value} is not a table of pressures and energies{explained(key, MEANING[key])}")
         elif key == "repair":
             given[key] = value
             if not isinstance(value, bool):
-                collector.add((*path, key), f"expected true or false, got {value!r:.40}", MEANING[key])
+                collector.add((*path, key), f"expected true or false, got {shown_value(value)}{explained(key, MEANING[key])}")
         elif key.endswith("_range"):
             given[key] = _range(value, UNITS[key], collector, (*path, key))
         else:
             given[key] = collector.quantity((*path, key), value, UNITS[key])
             if key == "least_sound_speed" and given[key] is not None and not given[key] >= 0.0:
-                collector.add((*path, key), f"must not be less than 0, got {given[key]:g} m/s", MEANING[key])
+                collector.add((*path, key), f"must not be less than 0, got {given[key]:g} m/s{explained(key, MEANING[key])}")
     file = table["file"]
     if not isinstance(file, str) or not file.strip() or not file.isprintable():
-        collector.add((*path, "file"), "expected the name of a file", MEANING["file"])
+        collector.add((*path, "file"), f"expected the name of a file{explained('file', MEANING['file'])}")
     if collector.findings > before:
         return None
     try:

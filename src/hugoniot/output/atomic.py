@@ -34,7 +34,7 @@ def trouble(path, error: OSError, kept: str = "nothing that was there before is 
     if isinstance(error, FileTrouble):
         return error
     if error.errno in _FULL:
-        return FileTrouble(f"{path}: the disk is full; {kept}. Make room, then continue with `hugoniot resume`")
+        return FileTrouble(f"{path}: the disk is full; {kept}. Free some space, then continue with `hugoniot resume`")
     if error.errno == errno.EFBIG:
         return FileTrouble(f"{path}: the file would exceed the size limit set for this process (ulimit -f); {kept}")
     if error.errno in _FORBIDDEN:

@@ -149,7 +149,7 @@ class Run:
                 raise FileTrouble(f"{path}: {_ENDLESS}")
         if found != wanted:
             raise FileTrouble(f"{path}: changed since the run ended (its SHA-256 does not agree with summary.json), so it is not read; "
-                              f"what can still be read: `hugoniot info {shlex.quote(str(self.folder))} --verify`")
+                              f"`hugoniot info {shlex.quote(str(self.folder))} --verify` reports what can still be read")
         self._looked_at[name] = state
 
     def _open(self):

@@ -192,7 +192,7 @@ def on_isentrope(isentrope: JWLIsentrope, rho0: float) -> Tangency:
 
     low, high = 0.55, 0.95
     if not excess(low) > 0.0 > excess(high):
-        raise NoSolution("no tangency of the isentrope between V = 0.55 and 0.95")
+        raise NoSolution("no CJ state: the isentrope is nowhere tangent to a Rayleigh line between V = v/v0 = 0.55 and 0.95")
     v = brentq(excess, low, high, xtol=1e-15, rtol=1e-14)
     p = float(isentrope.pressure(v))
     return Tangency(float(isentrope.energy(v)) - 0.5 * p * (1.0 - v), math.sqrt(p / (rho0 * (1.0 - v))), p, v)

@@ -157,7 +157,7 @@ def density_limits(par):
 def build(base, alpha0, elastic_pressure, compaction_pressure):
     """Parameters from a deck."""
     if not alpha0 > 1.0:
-        raise OutOfRange(f"p_alpha: alpha0, the solid's density over the porous one, must exceed 1, got {alpha0}")
+        raise OutOfRange(f"p_alpha: alpha0, the density of the solid divided by that of the porous material, must exceed 1, got {alpha0}")
     if not 0.0 <= elastic_pressure < compaction_pressure:
         raise OutOfRange(f"p_alpha: needs 0 <= elastic_pressure < compaction_pressure, got {elastic_pressure:g} and "
                          f"{compaction_pressure:g} Pa")

@@ -153,8 +153,7 @@ class Fan:
         """The node, between `base` and the density of ln `low`, at which a value leaps across the target (slopes of a table leap)."""
         high = base[0]
         if not value(self._step(base, low - high) if low < high else base) <= target < value(base):
-            raise NoSolution(f"the search in the rarefaction of law '{name_of(self.branch.par)}' for the value {target:.6g} did not "
-                             "converge")
+            raise NoSolution(f"the search for a state in the rarefaction of law '{name_of(self.branch.par)}' did not converge")
         while high - low > 1e-15 * max(1.0, abs(low)):
             middle = 0.5 * (low + high)
             low, high = (middle, high) if value(self._step(base, middle - base[0])) <= target else (low, middle)
