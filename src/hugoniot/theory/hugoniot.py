@@ -287,4 +287,4 @@ def _refuse(status, mode, name, target, ahead: Initial, par):
         raise OutOfRange(f"{asked} is beyond the compression limit of law '{law}' (density ahead {ahead.density:.6g} kg/m3): "
                          f"the Hugoniot ends at {', '.join(reach)}; try a weaker shock")
     raise NoSolution(f"{asked} was not found on the Hugoniot of law '{law}' (density ahead {ahead.density:.6g} kg/m3): the search did not "
-                     "converge, probably because the law has a kink there; try a slightly different value")
+                     "converge, probably because the pressure of the law jumps there; try a slightly different value")

@@ -313,7 +313,7 @@ def test_fits_of_jwl_and_of_gamma(tmp_path):
 def test_a_data_file_with_a_wrong_column_or_unit(tmp_path):
     path = tmp_path / "shots.csv"
     for text, place, words in (("speed,us\n1,2\n", "shots.csv:1", "up (km/s)"), ("up (GPa),us (km/s)\n1,4\n", "shots.csv:1", "expected a velocity"),
-                               ("up,us\n100,4000\n200,abc\n", "shots.csv:3", "'abc' is not a velocity"), ("up,us\n100\n", "shots.csv:2", "1 cell"), ("", "shots.csv", "empty")):
+                               ("up,us\n100,4000\n200,abc\n", "shots.csv:3", "'abc' is not a velocity"), ("up,us\n100\n", "shots.csv:2", "1 value"), ("", "shots.csv", "empty")):
         path.write_text(text, encoding="utf-8")
         result = eos("fit", str(path))
         assert result.exit_code == 2 and place in result.output and words in result.output and len(result.output.splitlines()) == 1

@@ -35,8 +35,9 @@ def unsolved(error: Exception, where: str, region: str = "", place: float | None
     if isinstance(error, UnphysicalState):
         return error
     why = str(error).rstrip(".") if isinstance(error, HugoniotError) else f"no wave of finite speed and strength leaves ({error})"
-    advised = re.search(r"\b(?:use|give)\b", why)       # by whoever knows the cause
-    remedy = "" if advised else "stay inside the range of the equations of state, or choose ones that reach further"
+    advised = re.fullmatch(r"(.*)(?: \(|: |; )((?:use|give|light|start)\b.*?)\)?", why)       # by whoever knows the cause
+    why, remedy = advised.groups() if advised else (why, "stay inside the range of the equations of state, or choose ones that reach "
+                                                         "further")
     return UnphysicalState(f"{where}, {why}.", remedy, None, region, place, time, cycle)
 
 
