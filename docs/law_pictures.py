@@ -1,4 +1,4 @@
-"""Pictures of docs/generated/laws: the Hugoniot of an equation of state, or the release of products, beside pressure over density."""
+"""Pictures of docs/generated/laws: the Hugoniot of an equation of state, or the release of products, above its pressure against the density."""
 
 from pathlib import Path
 
@@ -105,10 +105,10 @@ def crushing(law, ax) -> None:
 
 
 def draw(law, target: Path) -> str:
-    """P-up Hugoniot of the example from rest, or for products the isentrope from the CJ point, beside the pressure over density."""
-    with matplotlib.rc_context({**RC, "savefig.dpi": 130}):
-        ax, beside = new_panels(1, 2, 7.6, 3.0)[0]
-        (crushing if "remembers" in law.flags else lines_of_energy)(law, beside)
+    """P-up Hugoniot of the example from rest, or for products the isentrope from the CJ point, above the pressure against the density."""
+    with matplotlib.rc_context({**RC, "savefig.dpi": 180}):
+        ax, below = new_panels(2, 1, 4.6, 5.6)[:, 0]
+        (crushing if "remembers" in law.flags else lines_of_energy)(law, below)
         if "reacted" in law.flags:
             point = cj(law.example)
             rho0 = float(reference_state(law.example)[0])

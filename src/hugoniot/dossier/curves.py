@@ -150,7 +150,7 @@ def short_source(row: Row) -> str:
     """A source in a few words: the first author or name, or what was fitted."""
     if row.id in fits.RECORDED:
         selection, degree = fits.RECORDED[row.id]
-        return f"{'line' if degree == 1 else 'quadratic'} through {selection.words or 'measured states'}"
+        return f"{'linear' if degree == 1 else 'quadratic'} fit to {selection.words or 'measured states'}"
     if row.table == "tillotson":
         return f"Tillotson, {row.material}"
     first = row.source.split(",")[0].split(":")[0]

@@ -1,17 +1,22 @@
 """Pictures of materials: Hugoniots of several materials, or of every source of one, with the measured states."""
 
+import textwrap
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from hugoniot.dossier.curves import Comparison, Curve
+from hugoniot.plotting.style import RC
+
+WIDTH = 5.6      # in: legible at 420 pixels as well as across a page
+WRAP = 34        # characters of a line of the legend
 
 
 def compare_figure(chosen: Comparison, path: Path | None = None) -> Any:
-    """Us-up and P-up side by side, and for the sources of one material their difference from the default; saved where `path` says.
+    """Us-up and p-up side by side, below them for the sources of one material their difference from the default; saved if `path` is given.
 
-    A line is full where the source states that its data reach, thin and dashed outside. Returns the matplotlib figure.
+    A curve is full where the source states that its data reach, thin and dashed outside. Returns the matplotlib figure.
     """
     import matplotlib
 
@@ -19,32 +24,35 @@ def compare_figure(chosen: Comparison, path: Path | None = None) -> Any:
     import matplotlib.pyplot as plt
 
     default = chosen.curves[0] if chosen.curves and chosen.curves[0].default and sum(c.default for c in chosen.curves) == 1 else None
-    panels = 3 if default is not None and len(chosen.curves) > 1 else 2
-    entries = len(chosen.curves) + len(chosen.states)
-    legend = 0.24 * ((entries + panels - 1) // panels) + 0.45
-    figure, axes = plt.subplots(1, panels, figsize=(5.2 * panels, 4.6 + legend))
-    colours = _colours(chosen, panels == 3)
-    unit, scale = ("GPa", 1e9) if max(float(c.p[-1]) for c in chosen.curves) > 2e8 else ("MPa", 1e6)
-    for k, states in enumerate(chosen.states):
-        style = {"linestyle": "none", "marker": "os^D"[k % 4], "markersize": 3.4, "markeredgewidth": 0.0, "alpha": 0.6,
-                 "color": "0.5" if panels == 3 else colours.get(states.material, "0.5")}
-        axes[0].plot(states.up / 1e3, states.us / 1e3, label=states.label, **style)
-        axes[1].plot(states.up / 1e3, states.p / scale, **style)
-        if panels == 3:
-            inside = (states.up >= default.up[0]) & (states.up <= default.up[-1])
-            base = np.interp(states.up[inside], default.up, default.us)
-            axes[2].plot(states.up[inside] / 1e3, 100.0 * (states.us[inside] / base - 1.0), **style)
-    for curve in chosen.curves:
-        colour = colours[curve.material or curve.label]
-        _draw(axes[0], curve, curve.us / 1e3, colour, label=curve.label)
-        _draw(axes[1], curve, curve.p / scale, colour)
-        if panels == 3:
-            base = np.interp(curve.up, default.up, default.us)
-            _draw(axes[2], curve, np.where(curve.up <= default.up[-1], 100.0 * (curve.us / base - 1.0), np.nan), colour)
-    _finish(figure, axes, chosen, unit, legend)
-    if path is not None:
-        figure.savefig(path, dpi=150)
-        plt.close(figure)
+    differ = default is not None and len(chosen.curves) > 1
+    entries = [textwrap.fill(item.label, WRAP) for item in (*chosen.states, *chosen.curves)]
+    legend = 0.16 * (sum(1 + text.count("\n") for text in entries) // 2 + 2) + 0.2
+    with plt.rc_context(RC):
+        figure = plt.figure(figsize=(WIDTH, 2.6 + (2.2 if differ else 0.0) + legend), layout="constrained")
+        grid = figure.add_gridspec(1 + differ, 2)
+        axes = [figure.add_subplot(grid[0, 0]), figure.add_subplot(grid[0, 1])] + ([figure.add_subplot(grid[1, :])] if differ else [])
+        colours = _colours(chosen, differ)
+        unit, scale = ("GPa", 1e9) if max(float(c.p[-1]) for c in chosen.curves) > 2e8 else ("MPa", 1e6)
+        for k, states in enumerate(chosen.states):
+            style = {"linestyle": "none", "marker": "os^D"[k % 4], "markersize": 2.6, "markeredgewidth": 0.0, "alpha": 0.6,
+                     "color": "0.5" if differ else colours.get(states.material, "0.5")}
+            axes[0].plot(states.up / 1e3, states.us / 1e3, label=textwrap.fill(states.label, WRAP), **style)
+            axes[1].plot(states.up / 1e3, states.p / scale, **style)
+            if differ:
+                inside = (states.up >= default.up[0]) & (states.up <= default.up[-1])
+                base = np.interp(states.up[inside], default.up, default.us)
+                axes[2].plot(states.up[inside] / 1e3, 100.0 * (states.us[inside] / base - 1.0), **style)
+        for curve in chosen.curves:
+            colour = colours[curve.material or curve.label]
+            _draw(axes[0], curve, curve.us / 1e3, colour, label=textwrap.fill(curve.label, WRAP))
+            _draw(axes[1], curve, curve.p / scale, colour)
+            if differ:
+                base = np.interp(curve.up, default.up, default.us)
+                _draw(axes[2], curve, np.where(curve.up <= default.up[-1], 100.0 * (curve.us / base - 1.0), np.nan), colour)
+        _finish(figure, axes, chosen, unit)
+        if path is not None:
+            figure.savefig(path, dpi=150)
+            plt.close(figure)
     return figure
 
 
@@ -70,26 +78,21 @@ def _colours(chosen: Comparison, sources: bool) -> dict:
     return found
 
 
-def _finish(figure: Any, axes: Any, chosen: Comparison, unit: str, legend: float) -> None:
-    panels = len(axes)
+def _finish(figure: Any, axes: Any, chosen: Comparison, unit: str) -> None:
     top = max((float(c.up[-1]) for c in chosen.curves), default=1e3) * 1.03 / 1e3
-    for axis, name in zip(axes, ("shock velocity (km/s)", f"pressure ({unit})", "Us, difference from the curve used (%)")):
+    for axis, name in zip(axes, ("shock velocity (km/s)", f"pressure ({unit})", "Us: difference from\nthe curve used (%)")):
         axis.set_xlabel("particle velocity (km/s)")
         axis.set_ylabel(name)
-        axis.grid(True, color="0.9", linewidth=0.6)
-        axis.set_axisbelow(True)
         axis.set_xlim(0.0, top)
     axes[1].set_ylim(bottom=0.0)
-    if panels == 3:
+    if len(axes) == 3:
         axes[2].set_ylim(*_difference_limits(chosen))
+        axes[2].axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
     handles, labels = axes[0].get_legend_handles_labels()
-    figure.suptitle(chosen.title)
-    share = legend / figure.get_figheight()
-    figure.tight_layout(rect=(0.0, share, 1.0, 0.99))
-    figure.legend(handles, labels, loc="lower center", ncols=panels, fontsize=8, frameon=False,
-                  bbox_to_anchor=(0.5, 0.17 / figure.get_figheight()))
-    figure.text(0.5, 0.05 / figure.get_figheight(), "full line: within the stated range, or where no range is stated; dashed: outside it",
-                ha="center", va="bottom", fontsize=7.5, color="0.35")
+    figure.suptitle(textwrap.fill(chosen.title, 60))
+    figure.legend(handles, labels, loc="outside lower left", ncols=2, fontsize=8.5, frameon=False)
+    if not all(curve.reliable.all() for curve in chosen.curves):
+        axes[0].annotate("dashed: outside the stated range", (0.98, 0.03), xycoords="axes fraction", ha="right", fontsize=8, color="0.35")
 
 
 def _difference_limits(chosen: Comparison) -> tuple[float, float]:
