@@ -219,7 +219,8 @@ def page(law, picture: str | None) -> str:
         text = re.sub(r"`(\w+)`", lambda m: f"[{m[0]}]({m[1]}.md)" if m[1] in EOS.names() and m[1] != law.name else m[0], text)
     lines = [f"# {law.name}", "", f"**{law.summary}**", "", *shared(law), text, ""]
     if picture:
-        lines += [f"```{{image}} {picture}\n:alt: {law.name}, the example\n:width: 480px\n```", "", *([CAPTIONS[law.name], ""] if law.name in CAPTIONS else [])]
+        lines += [f"```{{image}} {picture}", f":alt: {law.name}, the example", ":width: 480px", "```", ""]
+        lines += [CAPTIONS[law.name], ""] if law.name in CAPTIONS else []
     lines += ["## Parameters", "", *parameters(law), *example(law), *validity(law), *references(law, source)]
     return "\n".join(explained(lines, ERRORS))
 

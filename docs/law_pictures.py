@@ -1,4 +1,4 @@
-"""Pictures of docs/generated/laws: the Hugoniot of an equation of state, or the release of products, above its pressure against the density."""
+"""Pictures of docs/generated/laws: the Hugoniot of an equation of state, or the release of products; below it, pressure and density."""
 
 from pathlib import Path
 
