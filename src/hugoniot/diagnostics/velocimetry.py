@@ -160,7 +160,8 @@ def flat_stretch(weight, values) -> tuple[slice, float]:
 
     weight (n,) s of `durations`, values (n,), n >= 1. The height of the record is what it exceeds for a twentieth of the time that it
     spends above half of its highest value. Of the stretches that last at least as long within 5 % of that height, it is the first that is
-    flat: its quartiles over time differ by no more than 0.5 % of the height.
+    flat: its quartiles over time differ by no more than 0.5 % of the height. Fewer points than four have no quartiles: a single one, on
+    the slope of a peak, would always be flat.
     """
     values = np.asarray(values, dtype=float)
     highest = float(np.max(values))
@@ -174,7 +175,7 @@ def flat_stretch(weight, values) -> tuple[slice, float]:
     stretches = [slice(int(i), int(k)) for i, k in zip(edges[::2], edges[1::2])]
     least = 0.05 * np.sum(weight[above])
     for part in stretches:
-        if np.sum(weight[part]) >= least:
+        if part.stop - part.start > len(QUARTILES) and np.sum(weight[part]) >= least:
             quartiles = _over_time(values[part], weight[part], QUARTILES)
             if np.isfinite(_level(quartiles, height)):
                 return part, _level(quartiles)

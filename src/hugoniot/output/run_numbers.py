@@ -33,8 +33,9 @@ def gauge_rows(run: Run) -> list[dict]:
 
     `second_arrival`, that of the plastic wave behind a precursor, stands in all rows if a gauge of the run has one, else in none. A peak
     may be the short overshoot of a numerical shock; the plateaus are the levels of one flat top without it, behind the first wave: that of
-    the stress, and the velocity over the same time. At a free surface, which has no stress, it is that of the change of velocity. NaN where
-    the top is not flat, or the velocity changes over it; and for the stress of a surface that moves without any.
+    the stress, and the velocity over the same time. Where the top of the stress is not flat, it is that of the change of velocity, if the
+    stress is constant over it; the same at a free surface, which has no stress. NaN where neither top is flat, or the velocity changes
+    over that of the stress; and for the stress of a surface that moves without any.
     """
     rows = []
     table = run.arrays("gauges") if run.gauge_names() else {}
@@ -62,8 +63,12 @@ def _levels(time, velocity, stress, arrival: float, moved: bool) -> dict[str, fl
     """Peak, plateau and end of a gauge's stress (None: not recorded) and velocity; `moved` is whether the velocity changed."""
     first = int(np.searchsorted(time, arrival)) if np.isfinite(arrival) else 0
     weight, free = durations(time[first:]), stress is None or (moved and not stress.any())
-    top, level = flat_stretch(weight, np.abs(velocity - velocity[0])[first:] if free else stress[first:])
-    nothing, found = float("nan"), {}
+    nothing, found, change = float("nan"), {}, np.abs(velocity - velocity[0])[first:]
+    top, level = flat_stretch(weight, change if free else stress[first:])
+    if not (free or np.isfinite(level)):     # at a start-up the stress may exceed its level many times, the velocity by half
+        top, _ = flat_stretch(weight, change)
+        level = level_over(weight, stress[first:], top)
+        top, level = (top, level) if level > 0.0 else (slice(0, 0), nothing)
     if stress is not None:
         found = {"peak_stress": nothing if free else float(stress.max()),
                  "plateau_stress": nothing if free else level,
