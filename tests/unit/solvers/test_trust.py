@@ -8,8 +8,11 @@ import pytest
 
 from hugoniot.cli.main import main
 from hugoniot.errors import OutOfRange, UnphysicalState
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.stiffened_gas import StiffenedGas
+from hugoniot.materials.material import Material
 from hugoniot.output.run import read_post_mortem
-from hugoniot.problem.model import Boundary, Interface, Pulse, Region
+from hugoniot.problem.model import Boundary, Interface, Problem, Pulse, Region
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import H, Z
@@ -208,6 +211,18 @@ def test_an_interface_holds_what_its_bond_carries(kind, strength, opens):
     if opens:
         assert "between 'left' and 'right'" in opened[0].text
         assert len(opened) == 1
+
+
+@pytest.mark.parametrize("density", [10.0, 50.0])
+def test_no_gap_opens_between_a_liquid_and_the_gas_it_pushes(density):
+    """A gas expands faster than any liquid recedes. The release of the liquid undershoots into tension in its first zones, and the half
+    zones at the contact slow down together; the gas is under pressure at all times."""
+    regions = (Region("liquid", "liquid", 0.0, 0.7, 70, density=1000.0, pressure=2e8),
+               Region("gas", "gas", 0.7, 1.0, 30, density=density, pressure=2e5))
+    materials = {"liquid": Material("liquid", StiffenedGas(4.4, 6e8, 1000.0)), "gas": Material("gas", IdealGas(1.4))}
+    solver, watcher = build.run(Problem("tube", "planar", 1e-4, regions, materials, Boundary("fixed"), Boundary("fixed")))
+    assert not [e.text for e in watcher.events if e.kind in ("interface_separated", "void_closed")]
+    assert solver.peaks()["peak_tension"][:70].max() > 5e7 and solver.peaks()["peak_tension"][70:].max() <= 0.0
 
 
 @pytest.mark.parametrize("energy", [0.05, 1e-4])

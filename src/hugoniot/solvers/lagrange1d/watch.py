@@ -8,6 +8,7 @@ import numpy as np
 from hugoniot.core.binder import bind
 from hugoniot.core.passes import rows
 from hugoniot.core.target import BY_ADDRESS, INLINE
+from hugoniot.laws.eos.contract import LEAST_STIFFNESS
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import ChargeRows, H, NodeRows, Z, ZoneRows
 
@@ -66,7 +67,11 @@ def mark_patch(zones, first, last, at):
 
 @nb.njit(**BY_ADDRESS)
 def separating_interface(zones, nodes, interfaces):
-    """Index of the first listed interface whose tension exceeds its bond, or -1; rows are (node, zone on the left)."""
+    """Index of the first listed interface whose tension exceeds its bond, or -1; rows are (node, zone on the left).
+
+    The traction is that of two half zones that move as one. Where they slow down together, the mass of a gas seems to pull at a liquid in
+    tension; but a gas expands faster than it is left behind, and no contact opens that a side still presses on like one.
+    """
     zone = rows(ZoneRows, zones, 0)
     h = rows(NodeRows, nodes, 0)
     for i in range(interfaces.shape[0]):
@@ -75,8 +80,9 @@ def separating_interface(zones, nodes, interfaces):
         left = zone.p[z] - zone.s1[z]
         right = zone.p[z + 1] - zone.s1[z + 1]
         traction = (left * mr + right * ml) / (ml + mr)
-        soft = min(zone.rho[z] * zone.c[z] * zone.c[z], zone.rho[z + 1] * zone.c[z + 1] * zone.c[z + 1])
-        if -traction > h.bond[node] + CHATTER * soft:
+        stiff_left, stiff_right = zone.rho[z] * zone.c[z] * zone.c[z], zone.rho[z + 1] * zone.c[z + 1] * zone.c[z + 1]
+        follows = LEAST_STIFFNESS * left > stiff_left or LEAST_STIFFNESS * right > stiff_right
+        if not follows and -traction > h.bond[node] + CHATTER * min(stiff_left, stiff_right):
             return i
     return -1
 
