@@ -4,11 +4,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hugoniot.laws.eos.contract import reference_state
+from hugoniot.laws.eos.contract import is_condensed, reference_state, sound_speed_squared
 from hugoniot.materials.plausible import unlikely
 from hugoniot.materials.validity import beyond, impact, range_of
 from hugoniot.problem.model import Problem, Region
 from hugoniot.problem.profiles import LIGHT
+from hugoniot.units import format_si
 
 if TYPE_CHECKING:
     from hugoniot.problem.plane.model import Problem2D
@@ -19,6 +20,8 @@ SLOW = 1000.0            # m/s: no estimated range ends below it
 # 6 % at 1.0 (wilkins); in two dimensions shocks of 18 GPa are 0.1 % too high at 0.4 and 0.3 % at 0.5
 LONGEST_STEP = {"compatible": 0.7, "wilkins": 0.8}
 LONGEST_STEP_IN_PLANE = 0.4
+UNDERSHOOT = 0.40        # of a sudden drop of the pressure: that of the last zone in a chain of zones with a linear law
+NOISE = 1e-4             # of rho c^2: a tension that no interface opens under
 
 
 def advice(problem: Problem) -> list[str]:
@@ -38,8 +41,27 @@ def advice(problem: Problem) -> list[str]:
             found.append(f"the zone mass jumps by a factor of {jump:.3g} between '{a.name}' and '{b.name}': expect errors there "
                          "when waves cross; choose zone_size or ratio so that neighbouring zones have similar masses")
     if problem.solver.kind == "lagrange1d":
+        found += _undershoots(problem)
         found += _long_steps(problem.solver.courant, LONGEST_STEP[problem.solver.integrator])
     return found + advice_on_speeds(problem)
+
+
+def _undershoots(problem: Problem) -> list[str]:
+    """Condensed regions that start beside so much lower a pressure that their release undershoots into tension."""
+    found, last = [], len(problem.regions) - 1
+    for k, region in enumerate(problem.regions):
+        eos, high = problem.materials[region.material].eos, region.pressure
+        if high is None or eos is None or not is_condensed(eos):
+            continue
+        beside = [problem.regions[i].pressure for i in (k - 1, k + 1) if 0 <= i <= last]
+        beside += [0.0 for end, at in ((problem.left, 0), (problem.right, last)) if at == k and end.kind == "free"]
+        low = min((p for p in beside if p is not None), default=high)
+        rho, e = reference_state(eos)
+        tension = UNDERSHOOT * (high - low) - low
+        if tension > NOISE * rho * sound_speed_squared(rho, e, eos):
+            found.append(f"'{region.name}' starts at {format_si(high, 'Pa')} beside {format_si(low, 'Pa')}: its sudden release undershoots "
+                         f"by up to about {UNDERSHOOT:.0%} of the difference; tension up to {format_si(tension, 'Pa', 3)} may be numerical")
+    return found
 
 
 def advice_on_speeds(problem: Problem) -> list[str]:
