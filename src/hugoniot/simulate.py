@@ -220,10 +220,11 @@ def _doubts(problem: Problem, solver: Solver) -> list[str]:
     from hugoniot.diagnostics.spall_planes import unresolved
     from hugoniot.diagnostics.tension import overstretched
     from hugoniot.diagnostics.transmitting import measured
+    from hugoniot.solvers.lagrange1d.transmitting import missing
 
     peaks = solver.peaks()
-    return [*overstretched(problem, solver.region_of, peaks["peak_tension"]), *measured(problem, peaks["peak_stress"]),
-            *unresolved(problem, solver.segments, solver.region_of)]
+    return [*overstretched(problem, solver.region_of, peaks["peak_tension"]),
+            *measured(problem, peaks["peak_stress"], missing(solver.control)), *unresolved(problem, solver.segments, solver.region_of)]
 
 
 def _meta(problem: Problem, solver) -> dict[str, Any]:

@@ -135,8 +135,12 @@ FREE, FIXED, VELOCITY, PRESSURE, TRANSMITTING, PERIODIC = range(6)
  GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, NEXT_GAUGE, GAUGE_INTERVAL, HEAT_FLUX, FORCE_WORK, FORCE_IMPULSE, SUPPLIED,
  LAST_NODE, UNTIL, LOST_IMPULSE, END_LEFT) = range(26)
 # what a transmitting end knows (`transmitting`), from END_LEFT and from END_RIGHT on: the stress outside and that at t = 0 (Pa), impedance
-# (kg/m2/s), transit times of its zone in the last step, zones of the end's material (at most REACH), lead and excess (Pa), a memory
-(OUTSIDE, AMBIENT, IMPEDANCE, PASSED, ZONES, LEAD, EXCESS, MEMORY) = range(8)
+# (kg/m2/s), transit times of its zone in the last step, zones of the end's material (at most REACH), lead and excess (Pa); of the strongest
+# shock that passed: its viscous pressure (Pa), its impedance and that of small waves behind it on the Hugoniot (kg/m2/s), the time since
+# (s), what is left of it beyond the end (Pa); bulk impedance at t = 0 (0 in fluids), time to the end of the run (s), stress before (Pa),
+# the echo that is missing (Pa); a memory
+(OUTSIDE, AMBIENT, IMPEDANCE, PASSED, ZONES, LEAD, EXCESS, LARGEST, SHOCK, BEHIND, SINCE, REST, BULK, REMAINING, BEFORE, MISSING,
+ MEMORY) = range(17)
 REACH, REMEMBERED = 6, 4          # zones from the end on; numbers kept of each
 END_FLOATS = MEMORY + REMEMBERED * REACH
 END_RIGHT = END_LEFT + END_FLOATS

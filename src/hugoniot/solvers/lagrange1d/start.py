@@ -24,6 +24,7 @@ def prepare(solver) -> None:
     for end, zone in ((L.END_LEFT, 0), (L.END_RIGHT, -1)):
         control[end + L.OUTSIDE] = control[end + L.AMBIENT] = solver.zones[Z.sigma, zone]
     transmitting.remember(control, solver.zones)
+    transmitting.await_echoes(control, solver.zones, problem)
     for side, end, node in zip((problem.left, problem.right), solver.boundaries, (0, -1)):
         if side.kind == "velocity":
             nodes[H.u, node] = pulse_value.py_func(0.0, end.pulse, end.table)

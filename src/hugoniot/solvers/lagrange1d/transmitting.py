@@ -20,6 +20,11 @@ A wave that spreads from the axis or the origin also decays: for sound far from 
 $\partial_t p = \rho c\,\partial_t u - \tfrac12(d-1)\,c\,(p-p_0)/r$ (Bayliss and Turkel, Comm. Pure Appl. Math. 33 (1980) 707). The stress
 outside the right end follows the same equation. The waves that a spreading wave scatters back, and the stiffness of an elastic body around
 a sphere, are not included.
+
+An elastic release, of impedance Z, that leaves behind a plastic shock overtakes it beyond the end. There the part $(Z - Z_H)/(Z + Z_H)$
+of it comes back as a compression, with $Z_H = d\sigma/du$ along the Hugoniot. No condition at the end can know that, but the end can count
+what is missing. With $U_s = c + su$ and the impedance $Z_s$ of the shock, $Z_H = 2Z_s - \rho_0c$. What leaves a time t after the shock
+comes back $2tZ_s/(Z - Z_s)$ later, and the shock loses $2Z_H/(Z + Z_H)$ of it, until nothing of it is left.
 """
 
 import math
@@ -28,6 +33,7 @@ import numba as nb
 import numpy as np
 
 from hugoniot.core.target import BY_ADDRESS
+from hugoniot.laws.eos.contract import sound_speed
 from hugoniot.mesh.line import hoops
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import H, Z
@@ -77,6 +83,28 @@ def follow(memory, seen, which, first, inward, acoustic, mass, dt):
     excess = seen[stress, first] - memory[L.OUTSIDE]
     memory[L.LEAD] = (memory[L.LEAD] + excess - memory[L.EXCESS]) / (1.0 + SIXTH * memory[L.PASSED])
     memory[L.EXCESS] = excess
+    miss(memory, seen[stress, first], seen[viscous, first], dt)
+
+
+@nb.njit(**BY_ADDRESS)
+def miss(memory, stress, viscous, dt):
+    """Add to the echo that real material beyond the end would have sent back before the end of the run (see above)."""
+    impedance, change = memory[L.IMPEDANCE], stress - memory[L.BEFORE]
+    memory[L.BEFORE] = stress
+    memory[L.REMAINING] -= dt
+    memory[L.SINCE] += dt
+    if viscous > memory[L.LARGEST]:
+        memory[L.LARGEST], memory[L.SHOCK], memory[L.SINCE], memory[L.MISSING] = viscous, impedance, 0.0, 0.0
+        memory[L.BEHIND] = 2.0 * impedance - memory[L.BULK]
+        memory[L.REST] = stress - memory[L.MEMORY]
+    elif impedance <= memory[L.BEHIND]:
+        memory[L.REST] += max(change, 0.0)       # the rest of the shock
+    shock, behind = memory[L.SHOCK], memory[L.BEHIND]
+    if memory[L.BULK] > 0.0 and memory[L.REST] > 0.0 and impedance > behind > 0.0:
+        away = 2.0 * memory[L.SINCE] * shock / (impedance - shock)
+        if away < memory[L.REMAINING]:
+            memory[L.MISSING] -= change * (impedance - behind) / (impedance + behind)
+            memory[L.REST] += change * 2.0 * behind / (impedance + behind)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -124,9 +152,24 @@ def remember(control, zones) -> None:
         begin_memory(control[end:end + L.END_FLOATS], found[Z.sigma], found[Z.rho])
 
 
+def await_echoes(control, zones, problem) -> None:
+    """What both ends need to count the echo that is missing: bulk impedances at t = 0, where there is strength, and the time of the run."""
+    for end, region, zone in ((L.END_LEFT, problem.regions[0], 0), (L.END_RIGHT, problem.regions[-1], -1)):
+        material, rho = problem.materials[region.material], zones[Z.rho, zone]
+        control[end + L.REMAINING] = problem.stop_time
+        if material.strength is not None:
+            control[end + L.BULK] = rho * sound_speed(rho, zones[Z.e, zone], material.eos)
+
+
+def missing(control) -> tuple[float, float]:
+    """Stress (Pa) of the echo that material beyond the left and the right end would have sent back so far."""
+    return float(control[L.END_LEFT + L.MISSING]), float(control[L.END_RIGHT + L.MISSING])
+
+
 def begin_memory(memory, stress, density) -> None:
     """The memory of an end whose zones, from it inward, hold these."""
     kept = memory[L.MEMORY:].reshape(L.REACH, L.REMEMBERED)
     kept[:len(stress)] = np.stack((stress, 1.0 / density) * 2, axis=1)
     memory[L.LEAD] = 0.0
     memory[L.EXCESS] = stress[0] - memory[L.OUTSIDE]
+    memory[L.BEFORE] = stress[0]
