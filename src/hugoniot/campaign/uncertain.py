@@ -39,7 +39,7 @@ def known_of(question: Deck) -> list[Known]:
     found = []
     for name, material in problem.materials.items():
         table = tables.get(name)
-        base = table.get("base") if isinstance(table, dict) else name
+        base = table.get("base", table.get("library")) if isinstance(table, dict) else name
         try:
             entry = library.entry(base) if isinstance(base, str) else None
         except UnknownMaterial:

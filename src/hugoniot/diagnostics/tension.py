@@ -11,10 +11,10 @@ MULTIPLE = 3.0     # of a spall strength: measured ones grow that much from slow
 
 
 def spall_scale(name: str) -> tuple[float, str]:
-    """(spall strength in Pa, whose): the library's for a material of that name, else the largest in the library."""
-    known = curated_name(name)
+    """(spall strength in Pa, whose): that of a material of the library, else, and without a name, the largest in the library."""
+    known = curated_name(name) if name else None
     row = spall_row(known) if known else None
-    own = schema.row(row)["spall_strength"] if row else getattr(find(known).fracture, "strength", None) if known else None
+    own = schema.row(row)["spall_strength"] if row else getattr(find(name).fracture, "strength", None) if name else None
     if own:
         return float(own), f"its spall strength in the library, {format_si(float(own), 'Pa', 3)}"
     rows = [row for row in schema.table("strength").values() if row.get("spall_strength")]
@@ -31,7 +31,7 @@ def overstretched(problem: Problem, region_of: np.ndarray, peak_tension: np.ndar
         tension = float(np.max(peak_tension[region_of == k], initial=0.0))
         if material.fracture is not None or material.burn is not None or not tension > 0.0:
             continue
-        strength, whose = spall_scale(region.material)
+        strength, whose = spall_scale(material.library)
         if tension > MULTIPLE * strength:
             name = region.material
             law = f"add [material.{name}.fracture]"

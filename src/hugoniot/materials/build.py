@@ -28,7 +28,7 @@ from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.material import GRAINS_OVER_SERIES, NOT_AT_REST, PORES_REOPEN, Material, Source
 from hugoniot.materials.tables import families
 
-_FACTS = ("base", "sources", "valid_up_to", "warnings")
+_FACTS = ("base", "library", "sources", "valid_up_to", "warnings")
 _EXPLOSIVE = ("unreacted", "mixture", "detonation_energy", "reference_state")
 _TOLD = ("sources", "warnings")                # texts that results and reports repeat
 AT_REST = 1e-4                                 # of its bulk modulus, up to which an unreacted explosive counts as at rest
@@ -75,7 +75,7 @@ def assembled(name: str, tables: Any, base: Material | None, collector: Collecto
     if any(law is not None and flagged(law, "grains") and flagged(law, "truncated") for law in (built["eos"], unreacted)):
         warnings = tuple(dict.fromkeys((*warnings, GRAINS_OVER_SERIES)))
     return Material(name, built["eos"], built["strength"], built["fracture"], built.get("burn"), valid, sources, warnings, unreacted,
-                    mixture, heat, reference)
+                    mixture, heat, reference, tables.get("library") or (base.library if base else ""))
 
 
 def doubts(unreacted: Any) -> list[str]:

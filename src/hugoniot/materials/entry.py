@@ -88,12 +88,12 @@ def read_file(path: Path) -> dict:
 
 
 def make_entry(name: str, tables: dict, file: str, line_of=None, base: Material | None = None, **words) -> Entry:
-    """The entry described by the tables of one material, which override `base`; DeckError with every problem found."""
+    """The entry of the library described by the tables of one material, which override `base`; DeckError with every problem found."""
     collector = Collector([], file, line_of or (lambda path: None))
     entry = read_entry(name, tables, collector, base, **words)
     if entry is None:
         raise collector.error()
-    return entry
+    return replace(entry, material=replace(entry.material, library=name))
 
 
 def read_entry(name: str, tables: dict, collector: Collector, base: Material | None = None, **words) -> Entry | None:

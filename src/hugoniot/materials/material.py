@@ -54,6 +54,8 @@ class Material:
     mixture             how reactants and products share a zone; None: chosen by the burn law
     detonation_energy   chemical energy per mass, J/kg; None: from the two equations of state
     reference_state     "rolling" or "frozen", see the deck reference; None: rolling
+    library             name of the library's material that this one is or starts from, "" if none: what the library knows of the substance
+                        beside its constants (spall strength, optical data of windows, Pop plots) is looked up by it
     """
 
     name: str
@@ -68,6 +70,7 @@ class Material:
     mixture: str | None = None
     detonation_energy: float | None = None
     reference_state: str | None = None
+    library: str = ""
 
     def laws(self) -> dict[str, str]:
         """Names of the laws: {family: name}, with the families eos, strength, fracture, burn and unreacted that the material has."""

@@ -21,7 +21,8 @@ def build_material(name: str, tables: dict, problems: list[DeckProblem], file: s
     """The material described by the tables of `[material.<name>]`; None after adding to `problems` what is wrong.
 
     tables    parsed TOML: one table per family (`eos` is needed, `strength`, `fracture`, `burn` may be left out), and optionally
-              `base` (a name of the library that the tables override), `sources`, `valid_up_to` (m/s), `warnings`
+              `base` (a name of the library that the tables override), `library` (a name of the library: the same substance),
+              `sources`, `valid_up_to` (m/s), `warnings`
     file      what messages call the file
     line_of   line of a key path such as ("material", "al", "eos", "rho0"), or None
     """
@@ -37,7 +38,10 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
 
 def base_of(tables: Any, collector: Collector, path: tuple) -> Material | None:
     """The library's material that tables override; None where they name none, or an unknown one, which is reported."""
-    return from_library(tables["base"], collector, (*path, "base")) if isinstance(tables, dict) and "base" in tables else None
+    if not isinstance(tables, dict):
+        return None
+    found = {key: from_library(tables[key], collector, (*path, key)) for key in ("base", "library") if key in tables}
+    return found.get("base")
 
 
 def with_named_laws(tables: Any, base: Material | None, collector: Collector, path: tuple) -> Any:

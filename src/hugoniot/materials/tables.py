@@ -80,7 +80,7 @@ def _plain(registry: Registry, value: Any) -> Any:
 
 def material_tables(material: Material) -> dict:
     """The tables of `[material.<name>]` that read back to exactly this material."""
-    tables: dict[str, Any] = {}
+    tables: dict[str, Any] = {"library": material.library} if material.library else {}
     if material.valid_up_to is not None:
         tables["valid_up_to"] = float(material.valid_up_to)
     if material.warnings:

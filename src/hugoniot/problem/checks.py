@@ -243,7 +243,7 @@ def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Coll
     return tuple(found[key] for key in sorted(found))
 
 
-def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collector) -> tuple[Gauge, ...]:
+def read_gauges(rows: Sequence, regions: tuple[Region, ...], materials: dict[str, Material], collector: Collector) -> tuple[Gauge, ...]:
     """Gauges, each at a place that exists."""
     found: dict[str, Gauge] = {}
     known = _places(regions)
@@ -263,7 +263,7 @@ def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collecto
             wrong = None if row.at in known else _wrong_place(row.at, regions, known)
             if wrong:
                 collector.add((*path, "at"), *wrong)
-        factor = windows.factor_of(row, regions, collector, path)
+        factor = windows.factor_of(row, regions, materials, collector, path)
         found.setdefault(row.name, Gauge(row.name, row.at, row.window or "", factor))
     return tuple(found.values())
 

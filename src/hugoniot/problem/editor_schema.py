@@ -39,6 +39,8 @@ def json_schema(kind: str = "lagrange1d") -> dict:
         "reference_state": {"enum": list(CHOICES), "default": CHOICES[0], "description":
                             "mixture thermal_isolation: whether the isentrope of the unreacted explosive receives its share of all viscous "
                             "heat (rolling), or stays fixed once a shock has passed (frozen)"},
+        "library": {"type": "string", "description": "name of the library's material of the same substance, for its spall strength and "
+                    "optical data, which are not part of the laws (default: base)"},
         "valid_up_to": number | {"unit": "m/s", "description":
                                  "highest particle velocity of the data behind the equation of state; shown by hugoniot check and "
         "in reports"},

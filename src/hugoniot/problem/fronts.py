@@ -102,7 +102,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     regions, used = checks.read_regions(tables["region"], raw.get("region"), geometry, materials, collector, warnings)
     broken = checks.unread(raw.get("region"), regions)
     interfaces = checks.read_interfaces(tables["interface"], regions, collector, broken)
-    gauges = checks.read_gauges(tables["gauge"], () if broken else regions, collector)
+    gauges = checks.read_gauges(tables["gauge"], () if broken else regions, used, collector)
     left, right = _ends(raw, geometry, regions, collector)
     output = _output(raw, collector)
     for name in raw.get("material", {}) if isinstance(raw.get("material"), dict) else ():

@@ -4,6 +4,7 @@ from functools import partial
 
 from hugoniot.materials import library
 from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.material import Material
 from hugoniot.problem.gauges import is_interface
 from hugoniot.problem.model import Problem, Region
 from hugoniot.units import format_si
@@ -12,7 +13,7 @@ WAVELENGTH = 532e-9     # m: of a deck that gives none
 _SAME = 0.01            # of a wavelength: rows of the library that count as of it
 
 
-def factor_of(row, regions: tuple[Region, ...], collector: Collector, path: tuple) -> float | None:
+def factor_of(row, regions: tuple[Region, ...], materials: dict[str, Material], collector: Collector, path: tuple) -> float | None:
     """The window factor of a gauge of a deck: the one given, or the library's for the material of its window; None where there is none."""
     if row.window is None:
         for key in ("window_factor", "wavelength"):
@@ -31,10 +32,12 @@ def factor_of(row, regions: tuple[Region, ...], collector: Collector, path: tupl
                           "leave one of them out")
         return row.window_factor
     wavelength = row.wavelength or WAVELENGTH
-    found = [optical for optical in library.windows(region.material) if "index_intercept" in optical
-             and abs(optical["wavelength"] - wavelength) < _SAME * wavelength]
+    if region.material not in materials:     # reported already
+        return None
+    rows = [optical for optical in library.windows(materials[region.material].library) if "index_intercept" in optical]
+    found = [optical for optical in rows if abs(optical["wavelength"] - wavelength) < _SAME * wavelength]
     if not found:
-        known = sorted({optical["wavelength"] for optical in library.windows(region.material) if "index_intercept" in optical})
+        known = sorted({optical["wavelength"] for optical in rows})
         others = f"it does at {', '.join(format_si(w, 'm') for w in known)}: wavelength chooses one; or " if known else ""
         collector.add((*path, "window"), f"the library does not say how the index of '{printable(region.material)}' changes with density "
                       f"at {format_si(wavelength, 'm')}", f"{others}give window_factor, the constant a of the index n = a + b rho")
@@ -66,7 +69,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
 
 def advice(problem: Problem) -> list[str]:
     """What to know of the factors in use."""
-    names = {region.name: region.material for region in problem.regions}
+    names = {region.name: problem.materials[region.material].library for region in problem.regions}
     said = []
     for gauge in problem.gauges:
         for row in library.windows(names[gauge.window]) if gauge.window else ():

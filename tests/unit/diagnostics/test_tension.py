@@ -23,14 +23,14 @@ def strengths():
     return {row["material"]: float(row["spall_strength"]) for row in rows if row["spall_strength"]}
 
 
-def problem(name="steel", fracture=None, speed=0.0):
+def problem(name="steel", fracture=None, speed=0.0, library=""):
     regions = (Region("flyer", name, -2e-3, 0.0, 40, velocity=speed), Region("plate", name, 0.0, 4e-3, 80))
-    return Problem("steel", "planar", 1.6e-6, regions, {name: Material(name, STEEL, fracture=fracture)}, output=OutputOptions(report=False))
+    return Problem("steel", "planar", 1.6e-6, regions, {name: Material(name, STEEL, fracture=fracture, library=library)}, output=OutputOptions(report=False))
 
 
 def test_the_scale_is_the_materials_own_or_the_librarys_largest():
     assert spall_scale("copper")[0] == strengths()["Copper (annealed)"]
-    strength, whose = spall_scale("steel of this deck")
+    strength, whose = spall_scale("")
     assert strength == max(strengths().values()) and "Tantalum" in whose
 
 
@@ -40,6 +40,13 @@ def test_only_more_than_the_stated_multiple_without_a_fracture_law_is_warned_of(
     tension[100] = part * MULTIPLE * max(strengths().values())
     found = overstretched(problem(fracture=fracture), np.repeat([0, 1], [40, 80]), tension)
     assert len(found) == told and all("'plate'" in text and "no fracture law" in text for text in found)
+
+
+@pytest.mark.parametrize("name", ["s", "steel", "steel_304", "tantalum"])
+def test_what_a_material_is_based_on_decides_not_its_name(name):
+    tension = np.full(120, 1.01 * MULTIPLE * strengths()["Stainless steel 304"])
+    assert len(overstretched(problem(name, library="steel_304"), np.repeat([0, 1], [40, 80]), tension)) == 2
+    assert overstretched(problem(name), np.repeat([0, 1], [40, 80]), tension) == []
 
 
 def test_a_run_of_steel_that_cannot_break_warns(tmp_path):

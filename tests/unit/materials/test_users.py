@@ -150,3 +150,14 @@ def test_nothing_in_a_file_breaks_the_reader(tmp_path, text):
     path.write_text(body + "\n" + head if not text.startswith("[") else head + body + "\n")
     with pytest.raises(DeckError, match="material.mine"):
         users.read_materials(path)
+
+
+def test_a_users_material_is_of_the_substance_it_is_based_on(tmp_path):
+    path = tmp_path / "several.toml"
+    path.write_text('[material.inox]\nbase = "steel 304"\n[material.own]\nlibrary = "LiF"\n[material.own.eos]\nlaw = "ideal_gas"\ngamma = 1.3\n'
+                    '[material.gas.eos]\nlaw = "ideal_gas"\ngamma = 1.3\n')
+    found = users.user_materials([path])
+    assert {name: entry.material.library for name, entry in found.items()} == {"inox": "steel_304", "own": "LiF", "gas": ""}
+    path.write_text('[material.own]\nlibrary = "nosuch"\n[material.own.eos]\nlaw = "ideal_gas"\ngamma = 1.3\n')
+    with pytest.raises(DeckError, match="unknown material 'nosuch'"):
+        users.user_materials([path])
