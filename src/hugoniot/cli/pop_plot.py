@@ -49,7 +49,7 @@ def command(
         chosen = replace(chosen, mixture=_closure(mixture))
     wanted = pressure_list(pressures, points)
     size, most = _quantity(zone_size, "m", "--zone-size"), _quantity(longest, "m", "--longest")
-    lines = library.pop_lines(published or material)
+    lines = library.pop_lines(published or chosen.library)
     if published and not lines:
         raise DeckError.single("command line", None, "--published", f"the library has no measured Pop plot of '{published[:60]}'",
                                f"it has: {', '.join(row.material for row in library.schema.table('pop_plot').values())}")

@@ -33,7 +33,7 @@ def curves_of(name: str) -> dict[str, Any]:
     material = inert_or_none(entry)
     found: dict[str, Any] = {"name": name, "title": entry.title, "law": EOS.of((material or entry.material).eos).name,
                              "valid_up_to": None if reacted(entry) else entry.material.valid_up_to, "hugoniot": None, "measured": [],
-                             "products": None, "surface_range": range_of(material or entry.material), "pop": _pop(name),
+                             "products": None, "surface_range": range_of(material or entry.material), "pop": _pop(entry.material.library),
                              "gurney": _gurney(entry), "sources": [], "notes": []}
     if material is not None:
         found["measured"] = [{"label": s.label, "up": s.up, "us": s.us, "p": s.p} for s in house.measured(entry.name)]

@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 import hugoniot
 from hugoniot.cli.main import build_app
 from hugoniot.dossier import fits
-from hugoniot.explorer import catalogue, curves, impact
+from hugoniot.explorer import catalogue, curves, impact, subjects
 from hugoniot.materials import library, schema
 from hugoniot.page import run_data
 from hugoniot.theory.impedance import match
@@ -206,3 +206,12 @@ def test_arguments_of_the_command_are_sorted(places, tmp_path):
         (tmp_path / "deck.toml").unlink(missing_ok=True)
         with pytest.raises(error):
             places_of([text])
+
+
+def test_the_pop_plot_of_a_material_of_a_file_is_that_of_the_explosive_it_is_based_on(tmp_path, monkeypatch):
+    monkeypatch.setattr(subjects, "own", {})
+    path = tmp_path / "charge.toml"
+    path.write_text('[material.charge]\nbase = "PBX 9404"\n[material.other_reactive]\nbase = "copper"\n')
+    assert subjects.admit(path) == ["charge", "other_reactive"]
+    assert [line["row"] for line in curves.curves_of("charge")["pop"]] == [row.id for row in library.pop_lines("PBX 9404")] != []
+    assert curves.curves_of("other_reactive")["pop"] == []
