@@ -45,8 +45,13 @@ def time_left(seconds: float) -> str:
 
 def end_interrupted(folder) -> NoReturn:
     """End the command with exit code 130, saying how an interrupted run goes on."""
-    kept = any((pathlib.Path(folder) / "checkpoint").glob("[0-9]*.json"))
-    state = "a checkpoint is kept; continue with" if kept else "no checkpoint was written yet; start again with"
+    folder = pathlib.Path(folder)
+    if (folder / "summary.json").is_file():
+        state = "the results are complete; files that are missing, such as the report, are written by"
+    elif any((folder / "checkpoint").glob("[0-9]*.json")):
+        state = "a checkpoint is kept; continue with"
+    else:
+        state = "no checkpoint was written yet; start again with"
     typer.echo(f"interrupted; {state}: hugoniot resume {shlex.quote(str(folder))}", err=True)
     raise typer.Exit(130) from None
 
