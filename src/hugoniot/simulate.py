@@ -4,6 +4,7 @@ import dataclasses
 import os
 import pathlib
 import re
+import shlex
 import time
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
@@ -23,6 +24,7 @@ from hugoniot.report import write_or_note
 from hugoniot.signals import end_like_interrupt
 from hugoniot.solvers.protocol import Solver
 from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
+from hugoniot.units import format_si
 from hugoniot.version import __version__
 
 if TYPE_CHECKING:
@@ -116,10 +118,36 @@ def _completed(place: RunFolder, report: bool | Callable) -> "Run":
     return load(place.folder)
 
 
+def so_far(folder, room) -> "Run":
+    """The results of an unfinished run up to its newest intact checkpoint, as a run folder made inside `room`.
+
+    The folder of the run is only read, so the run may be in progress. Raises `FileTrouble` if there are no results yet.
+    """
+    from hugoniot.output.finishing import copied
+    from hugoniot.plotting import load
+
+    again = f"`hugoniot resume {shlex.quote(str(folder))}`"
+    with RunFolder(copied(folder, room), resume=True) as place:
+        recorder, _ = _restored(place, None, restore_deck=True)
+        problem, solver = recorder.problem, recorder.solver
+        if not solver.cycle:
+            raise FileTrouble(f"{folder}: the run is unfinished and has no intact checkpoint with results; continue with {again}")
+        place.event(solver.time, solver.cycle, "warning",
+                    f"the results end at {format_si(solver.time, 's', 4)}, the time of the last checkpoint; continue with {again}")
+        _finish(recorder, Outcome(f"partial (stop time {format_si(problem.stop_time, 's', 4)})", 0.0), None)
+    return load(place.folder)
+
+
 def _continued(place: RunFolder, progress, report: bool | Callable, restore_deck: bool) -> "Run":
+    begun = time.perf_counter()
+    return _drive(*_restored(place, progress, restore_deck), begun, report)
+
+
+def _restored(place: RunFolder, progress, restore_deck: bool) -> tuple[Any, int]:
+    """The recorder of a run that goes on, its solver in the state of the newest intact checkpoint, and the next snapshot."""
     from hugoniot.problem.deck import read_deck_text
 
-    begun, folder = time.perf_counter(), place.folder
+    folder = place.folder
     text = place.checked_deck(restore_deck)
     deck = read_deck_text(text, "deck.toml", beside=folder)
     problem, solver = deck.problem, make_solver(deck.problem)
@@ -136,7 +164,7 @@ def _continued(place: RunFolder, progress, report: bool | Callable, restore_deck
         if strange := other_machine(payload.get("machine", {})):
             place.event(solver.time, solver.cycle, "warning", strange)
         next_snapshot = int(payload["next_snapshot"])
-    return _drive(recorder, next_snapshot, begun, report)
+    return recorder, next_snapshot
 
 
 def _drive(recorder, next_snapshot: int, begun: float, report: bool | Callable) -> "Run":
@@ -151,6 +179,15 @@ def _drive(recorder, next_snapshot: int, begun: float, report: bool | Callable) 
     except UnphysicalState as error:
         folder.post_mortem(error, {"solver": solver.payload(), "next_snapshot": -1})
         raise
+    _finish(recorder, outcome, begun)
+    if report and output.report:
+        write_or_note(folder.folder, report if callable(report) else None)
+    return load(folder.folder)
+
+
+def _finish(recorder, outcome: Outcome, begun: float | None) -> None:
+    """Hand the folder what is known at the end of a run."""
+    folder, problem, solver = recorder.folder, recorder.problem, recorder.solver
     _note_extrapolation(folder, problem, solver, recorder.warned)
     for text in [*solver.warnings(), *_doubts(problem, solver)]:
         folder.event(solver.time, solver.cycle, "warning", text)
@@ -159,9 +196,6 @@ def _drive(recorder, next_snapshot: int, begun: float, report: bool | Callable) 
     if (table := solver.front_table()) is not None:
         folder.fronts(*table)
     folder.finish(_summary(problem, solver, outcome, begun), _peaks(problem, solver))
-    if report and output.report:
-        write_or_note(folder.folder, report if callable(report) else None)
-    return load(folder.folder)
 
 
 def _peaks(problem: Problem, solver: Solver) -> dict[str, np.ndarray]:
@@ -172,13 +206,13 @@ def _peaks(problem: Problem, solver: Solver) -> dict[str, np.ndarray]:
     return peaks | {"forming": forming(problem).astype(np.uint8)} if problem.solver.kind in ("lagrange1d", "lagrange2d") else peaks
 
 
-def _summary(problem: Problem, solver: Solver, outcome: Outcome, begun: float) -> dict[str, Any]:
+def _summary(problem: Problem, solver: Solver, outcome: Outcome, begun: float | None) -> dict[str, Any]:
     from hugoniot.core.compile_watch import compile_seconds
 
     return {
         "status": outcome.status, "cycles": solver.cycle, "zone_updates": solver.zone_updates, "time": solver.time,
-        "wall_seconds": time.perf_counter() - begun, "kernel_seconds": outcome.kernel_seconds,
-        "compile_seconds": compile_seconds(begun),
+        "wall_seconds": None if begun is None else time.perf_counter() - begun, "kernel_seconds": outcome.kernel_seconds,
+        "compile_seconds": 0.0 if begun is None else compile_seconds(begun),
         **{name: None if value != value else value for name, value in solver.errors().items()},
         **solver.counts(), **solver.results(), **steady_numbers(problem),
     }

@@ -1,10 +1,13 @@
 """hugoniot compare: two runs, or a run and measured data, side by side."""
 
+import dataclasses
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from hugoniot.cli.opened import opened, partial_words
 from hugoniot.cli.show import JSON, echo_json, echo_table
 from hugoniot.units import format_si
 
@@ -32,7 +35,10 @@ def command(
 
     if plot is not None:
         drawable(plot, "compare", "--plot")
-    found = compare(run, other, gauge)
+    with opened(run) as first, opened(other) if other.is_dir() else nullcontext(other) as second:
+        found = compare(first, second, gauge)
+        partial = [f"{name}: {words}" for name, each in (("a", first), ("b", second)) if (words := partial_words(each))]
+        found = dataclasses.replace(found, name_a=str(run), name_b=str(other), notes=(*partial, *found.notes))
     if as_json:
         echo_json({"a": found.name_a, "b": found.name_b, "pairs": found.rows(), "unmatched": list(found.unmatched),
                    "notes": list(found.notes)})

@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from hugoniot.cli.opened import opened
 from hugoniot.cli.results import echo_results
 from hugoniot.cli.show import JSON, echo_json, echo_table
 from hugoniot.units import format_si
@@ -22,6 +23,8 @@ def command(
 ) -> None:
     """Print a summary of a run: status, conservation errors, gauges, estimate of the spall strength.
 
+    Of an unfinished run it prints the results up to the last checkpoint.
+
     Example: hugoniot info flyer.run --events
 
     With --verify the exit code is 4 if a file is missing or has changed since the run.
@@ -29,24 +32,23 @@ def command(
     if verify:
         _verify(folder, as_json)
         return
-    from hugoniot.output.run import load
     from hugoniot.output.run_numbers import record
 
-    run = load(folder)
-    if deck:
-        typer.echo(run.deck, nl=False)
-        return
-    if as_json:
-        echo_json(record(run))
-        return
-    echo_results(run)
-    if events:
-        typer.echo("")
-        rows = record(run)["events"]
-        shown = [(format_si(r["time"], "s"), r["cycle"], r["kind"], r["text"]) for r in rows[:MOST_EVENTS]]
-        echo_table(["time", "cycle", "event", ""], shown)
-        if len(rows) > MOST_EVENTS:
-            typer.echo(f"... and {len(rows) - MOST_EVENTS} more (--json lists all)")
+    with opened(folder) as run:
+        if deck:
+            typer.echo(run.deck, nl=False)
+            return
+        if as_json:
+            echo_json(record(run) | {"folder": str(folder)})
+            return
+        echo_results(run)
+        if events:
+            typer.echo("")
+            rows = record(run)["events"]
+            shown = [(format_si(r["time"], "s"), r["cycle"], r["kind"], r["text"]) for r in rows[:MOST_EVENTS]]
+            echo_table(["time", "cycle", "event", ""], shown)
+            if len(rows) > MOST_EVENTS:
+                typer.echo(f"... and {len(rows) - MOST_EVENTS} more (--json lists all)")
 
 
 def _verify(folder: Path, as_json: bool) -> None:

@@ -5,6 +5,7 @@ from typing import Annotated, Any
 
 import typer
 
+from hugoniot.cli.opened import opened, partial_words
 from hugoniot.cli.show import quantity, span
 from hugoniot.errors import DeckError
 from hugoniot.materials.collect import nearest, printable
@@ -42,6 +43,8 @@ def command(
 ) -> None:
     """Draw a picture of a run: by default its wave diagram or, in two dimensions, a map of the pressure.
 
+    Of an unfinished run it draws the results up to the last checkpoint.
+
     \b
     xt            wave diagram: a field against position and time (one dimension)
     map           a field in the plane at one time (two dimensions)
@@ -57,36 +60,37 @@ def command(
     Examples: hugoniot plot flyer.run xt pressure --out wave.png; hugoniot plot taylor.run map plastic_strain --time "40 us"
     """
     from hugoniot.output.atomic import explained
-    from hugoniot.plotting import load
     from hugoniot.plotting.accessor import PICTURES, PLANE_PICTURES
 
     known = {*PICTURES, *PLANE_PICTURES}
     if kind and kind not in known:
         raise DeckError.single("plot", None, "kind", f"unknown picture '{printable(kind)}'", nearest(kind, known))
-    run = load(folder)
-    plane = "axes" in run.setup
-    there = PLANE_PICTURES if plane else PICTURES
-    kind = kind or there[0]
-    if kind not in there:
-        words = "two" if plane else "one"
-        message = f"there is no picture '{kind}' of a {words}-dimensional run"
-        raise DeckError.single("plot", None, "kind", message, f"use {', '.join(there)}")
-    path = out or folder / f"{'-'.join(word for word in (kind, field) if word)}.png"
-    drawable(path, "plot", "--out")
-    options = _options(kind, field, gauge, time, delay) | _of_the_plane(kind, plane, line, layers)
-    limits = _limits(kind, field, x, t, shown)
-    _within(run, kind, limits[0], limits[1])
-    if kind in ("xt", "gauge", "pi_plane", "map"):
-        taken = {"xt": ("window", "times", "limits"), "map": ("window", "", "limits")}.get(kind, ("", "times"))
-        options |= {name: value for name, value in zip(taken, limits) if value is not None}
-    axes = getattr(run.plot, kind)(**options)
-    if kind not in ("xt", "map", "pi_plane"):
-        from hugoniot.plotting.style import show_only
+    with opened(folder) as run:
+        plane = "axes" in run.setup
+        there = PLANE_PICTURES if plane else PICTURES
+        kind = kind or there[0]
+        if kind not in there:
+            words = "two" if plane else "one"
+            message = f"there is no picture '{kind}' of a {words}-dimensional run"
+            raise DeckError.single("plot", None, "kind", message, f"use {', '.join(there)}")
+        path = out or folder / f"{'-'.join(word for word in (kind, field) if word)}.png"
+        drawable(path, "plot", "--out")
+        options = _options(kind, field, gauge, time, delay) | _of_the_plane(kind, plane, line, layers)
+        limits = _limits(kind, field, x, t, shown)
+        _within(run, kind, limits[0], limits[1])
+        if kind in ("xt", "gauge", "pi_plane", "map"):
+            taken = {"xt": ("window", "times", "limits"), "map": ("window", "", "limits")}.get(kind, ("", "times"))
+            options |= {name: value for name, value in zip(taken, limits) if value is not None}
+        axes = getattr(run.plot, kind)(**options)
+        if kind not in ("xt", "map", "pi_plane"):
+            from hugoniot.plotting.style import show_only
 
-        show_only(axes, *(limits[:1] if kind in WITH_X else limits[1:2]), limits[2])
-    with explained(path, "no picture is written"):
-        axes.figure.savefig(path)
-    typer.echo(f"wrote {path}")
+            show_only(axes, *(limits[:1] if kind in WITH_X else limits[1:2]), limits[2])
+        if words := partial_words(run):
+            axes.figure.text(0.995, 0.005, words, ha="right", va="bottom", fontsize=8)
+        with explained(path, "no picture is written"):
+            axes.figure.savefig(path)
+        typer.echo(f"wrote {path}" + (f", {words}" if words else ""))
 
 
 def _within(run, kind: str, positions: tuple[float, float] | None, times: tuple[float, float] | None) -> None:

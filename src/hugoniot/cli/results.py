@@ -17,7 +17,7 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
     s = run.summary
     compiling = s.get("compile_seconds", 0.0)
     typer.echo(f"{s['title']}: {s['status']} at {format_si(s['time'], 's')}, {s['cycles']} cycles, "
-               f"{s.get('zone_updates', 0):.3g} zone updates in {s['wall_seconds']:.2f} s"
+               f"{s.get('zone_updates', 0):.3g} zone updates" + ("" if s["wall_seconds"] is None else f" in {s['wall_seconds']:.2f} s")
                + (f", of which {compiling:.2f} s compiling, once for this machine" if compiling >= 0.01 else ""))
     errors = [f"{word} {s[key]:.1e}" for word, key in (("mass", "mass_error"), ("momentum", "momentum_error"), ("energy", "energy_error"))
               if isinstance(s.get(key), (int, float))]

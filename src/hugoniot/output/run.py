@@ -62,7 +62,7 @@ class Run:
         if not self.folder.is_dir():
             what = "this is a file, not a run folder" if self.folder.exists() else "there is no such run folder"
             raise FileTrouble(f"{self.folder}: {what}")
-        if not (self.folder / "result.h5").is_file() or not (self.folder / "summary.json").is_file():
+        if not (self.folder / "result.h5").is_file() or not (partial or (self.folder / "summary.json").is_file()):
             raise FileTrouble(f"{self.folder}: {_what_is_there(self.folder)}")
         self._tables: dict[str, tuple[Columns, dict, dict]] = {}
 
@@ -73,6 +73,8 @@ class Run:
     def summary(self) -> dict:
         """Contents of summary.json, such as title, status, number of time steps, and errors of mass, momentum and energy."""
         path = self.folder / "summary.json"
+        if self.partial and not path.is_file():
+            return _whatever(b"")
         with legible(path):
             data = read_regular(path)
         try:
@@ -316,10 +318,13 @@ def _what_is_there(folder: pathlib.Path) -> str:
     if (folder / "post_mortem.txt").is_file():
         return "the run failed and left no result; see post_mortem.txt"
     again = f"hugoniot resume {shlex.quote(str(folder))}"
+    if (folder / "result.h5").is_file() and not (folder / "checkpoint").is_dir():
+        return (f"summary.json is missing, so result.h5 cannot be checked; `{again}` computes the run again, and "
+                "hugoniot.load(folder, partial=True) reads result.h5 unchecked")
     if (folder / "deck.toml").is_file() and not (folder / "pieces").is_dir() and not any((folder / "checkpoint").glob("[0-9]*.json")):
         return f"the run is unfinished and has no checkpoint yet; `{again}` starts it again"
     if (folder / "checkpoint").is_dir() or (folder / "pieces").is_dir():
-        return f"the run is unfinished; continue with `{again}`"
+        return f"the run is unfinished; continue with `{again}`, or see its results so far with `hugoniot info {shlex.quote(str(folder))}`"
     return "this is not a run folder (no result.h5)"
 
 

@@ -198,6 +198,8 @@ class RunFolder:
                    "version": setup["document"]["version"], "deck_sha256": setup["deck_sha256"], **plain(summary)}
         if self.warnings:
             summary["checkpoint_warnings"] = self.warnings
+        with explained(self.folder / "report.html"):
+            (self.folder / "report.html").unlink(missing_ok=True)       # of the run while it was unfinished
         self.log(f"end: {summary['status']}")
         with explained(self.folder / "run.log"):
             log = digest(self.folder / "run.log")

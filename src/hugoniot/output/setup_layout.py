@@ -31,8 +31,9 @@ _PLANE = {
     "gauges": [{"name": Text, "at": (list, Nothing)}], "lighting": [{"at?": (list, Nothing)}],
     "rigid?": [{"name": Text, "points": [_POINT], "closed": (bool,), "centre": _POINT}]}
 _COUNTED = ("zone_updates", "voids_opened", "voids_closed", "interfaces_separated")
-_SUMMARY = {"title": Text, "status": Text, "solver": Text, "version": Text, "time": Number, "cycles": Whole, "wall_seconds": Number,
-            **{f"{name}?": Number for name in (*_COUNTED, "compile_seconds")}, "checkpoint_warnings?": [Text], "deck_sha256?": Text,
+_SUMMARY = {"title": Text, "status": Text, "solver": Text, "version": Text, "time": Number, "cycles": Whole,
+            "wall_seconds": (int, float, Nothing), **{f"{name}?": Number for name in (*_COUNTED, "compile_seconds")},
+            "checkpoint_warnings?": [Text], "deck_sha256?": Text,
             **{f"{name}_error?": (int, float, Nothing) for name in ("mass", "momentum", "energy")}}
 # entries of some solvers, of which the first stands for all
 _TOGETHER = (

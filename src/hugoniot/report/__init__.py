@@ -3,11 +3,11 @@
 from collections.abc import Callable
 
 
-def write_report(folder):
-    """Write report.html into a finished run's folder, from what stands there; gives its path. Raises `FileTrouble`."""
+def write_report(folder, into=None):
+    """Write report.html of the finished run in a folder into that folder, or into another; gives its path. Raises `FileTrouble`."""
     from hugoniot.report.page import write_report as write
 
-    return write(folder)
+    return write(folder, into=into)
 
 
 def write_or_note(folder, write: Callable | None = None) -> None:

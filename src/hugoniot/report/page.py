@@ -19,7 +19,9 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
     """(name, HTML text) of the numbers a reader looks for first."""
     summary = run.summary
     rows = [("simulated time", number(summary["time"], "s")), ("zones", str(len(run.arrays("peaks").get("zone", ())))),
-            ("cycles", f"{summary['cycles']:,}".replace(",", "\u202f")), ("wall time", f"{summary['wall_seconds']:.2f} s")]
+            ("cycles", f"{summary['cycles']:,}".replace(",", "\u202f"))]
+    if summary["wall_seconds"] is not None:
+        rows.append(("wall time", f"{summary['wall_seconds']:.2f} s"))
     spall = spall_numbers(run)
     rows += [(f"highest {name}", printed(value) + (f"<small>{text(place)}</small>" if place else ""))
              for name, value, place in highest_rows(run)]
@@ -132,9 +134,9 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
         f"<title>{title}</title><style>{css}</style></head><body><main>{body}</main></body></html>\n")
 
 
-def write_report(folder, drawn: Callable = one_by_one) -> pathlib.Path:
-    """Write report.html into the folder of a finished run; gives its path. Raises `FileTrouble`."""
+def write_report(folder, drawn: Callable = one_by_one, into=None) -> pathlib.Path:
+    """Write report.html of the finished run in a folder into that folder, or `into` another; gives its path. Raises `FileTrouble`."""
     run = load(folder)
-    path = run.folder / "report.html"
+    path = pathlib.Path(into or run.folder) / "report.html"
     write_whole(path, sealed(page(run, drawn), "<!-- ", " -->\n"), durable=False)
     return path
