@@ -7,6 +7,7 @@ includes.
 Source: Starkenberg, ARL-TR-2161, sections 3 to 5 and appendix B, with the corrections S-E1 to S-E3 and S-E13.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -33,6 +34,7 @@ class MixtureState:
 
     pressure_by_volume, pressure_by_energy, pressure_by_burn_fraction   derivatives of p(v, e, burn fraction)
     status                                                              0 where the search converged
+    Products that have no state, before any burning, have not-a-number for density and energy, as has the derivative by burn fraction.
     """
 
     par: Any
@@ -67,12 +69,13 @@ class MixtureState:
     @property
     def adiabatic_exponent(self):
         """gamma = i^2 v / p."""
-        return self.impedance_squared / (self.density * self.pressure)
+        with np.errstate(divide="ignore"):      # without pressure
+            return self.impedance_squared / (self.density * self.pressure)
 
     @property
     def volume_fraction(self):
         """Volume fraction of the products, eta = lambda v_p / v."""
-        return self.burn_fraction * self.density / self.product_density
+        return np.where(self.burn_fraction > 0.0, self.burn_fraction * self.density / self.product_density, 0.0)
 
     def mixed(self, index=()) -> Mixed:
         """The scalar state at an index, as the laws of `laws/mixture` take it."""
@@ -131,6 +134,7 @@ def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
     reference   (density, energy with Q) of a point on the isentrope of the reactants, such as the state just behind the last shock; needed
                 for `thermal_isolation` only
 
+    At burn fraction 0 the state is that of the reactants alone, also where the first products would have none, as at zero pressure.
     Raises NoSolution with the first state that has no solution, OutOfRange for burn fractions outside 0 to 1 and for input that must be
     positive.
     """
@@ -152,6 +156,8 @@ def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
     else:
         _solve_plainly(rows, par, out)
     out[5][~np.all(np.isfinite(out), axis=0)] = contract.NOT_FINITE
+    for j in np.flatnonzero((rows[2] == 0.0) & (out[5] == contract.NO_BRACKET)):
+        out[:, j] = unburned_row(float(rows[0][j]), float(rows[1][j]), par)
     bad = np.flatnonzero(out[5] != contract.CONVERGED)
     if bad.size:
         j = bad[0]
@@ -166,6 +172,14 @@ def _solve_plainly(rows, par, out) -> None:
         found = contract.equilibrate(r, k, fraction, Mixed(0.0, r_before, k_before, 0.0, 0.0, 0.0), par)
         out[:6, j] = found
         out[6:, j] = contract.slopes(r, k, fraction, found, par)
+
+
+def unburned_row(rho: float, e: float, par) -> tuple[float, ...]:
+    """The fields of a `MixtureState` from its pressure on, of reactants alone; not-a-number for what is of the products."""
+    e_r = e - par.detonation_energy
+    p, (p_v, p_e) = float(eos.pressure(rho, e_r, par.reactants)), contract.volume_slopes(rho, e_r, par.reactants)
+    status = contract.CONVERGED if p * p_e - p_v > 0.0 else contract.UNSTABLE
+    return p, rho, e, math.nan, math.nan, status, p_v, p_e, math.nan
 
 
 def energy_with(density: float, burn_fraction: float, par, reference, **given) -> float:
@@ -187,6 +201,7 @@ def energy_with(density: float, burn_fraction: float, par, reference, **given) -
             break
         step = (target - now) / slope
         if abs(step) <= 1e-14 * (abs(e) + par.detonation_energy):
+            _require_warm(state, f"{name} of {target:.6g} {'Pa' if name == 'pressure' else 'K'}")
             return e + step
         for _ in range(30):
             try:
@@ -199,6 +214,17 @@ def energy_with(density: float, burn_fraction: float, par, reference, **given) -
         e += step
     raise NoSolution(f"no energy gives the mixture of {density:.6g} kg/m^3 at burn fraction {burn_fraction:.6g} a {name} of {target:.6g} "
                      f"{'Pa' if name == 'pressure' else 'K'}: give its energy, or a state nearer to the reference")
+
+
+def _require_warm(state: MixtureState, wanted: str) -> None:
+    """NoSolution where both laws have temperatures and the mixture's is not positive: the laws then extrapolate below absolute zero."""
+    try:
+        t = float(state.temperature)
+    except OutOfRange:
+        return
+    if not t > 0.0:
+        raise NoSolution(f"at density {float(state.density):.6g} kg/m^3 and burn fraction {float(state.burn_fraction):.6g} a {wanted} "
+                         f"would need a temperature below absolute zero ({t:.6g} K): no such state exists")
 
 
 def _temperature_slope(state: MixtureState, reference) -> float:
@@ -226,6 +252,9 @@ def vanishing_series(density: float, energy: float, par) -> VanishingSeries:
     """
     state = solve(density, energy, 0.0, par, reference=(density, energy))
     mixed = state.mixed()
+    if math.isnan(mixed.rho_p):
+        raise NoSolution(f"the first products have no state at density {density:.6g} kg/m^3, energy {energy:.6g} J/kg: "
+                         f"{contract.MEANING[contract.NO_BRACKET]}")
     v, v_p0, e_p0, p = 1.0 / density, 1.0 / mixed.rho_p, mixed.e_p, mixed.pressure
     i_r = contract.impedance_squared(density, energy - par.detonation_energy, par.reactants)
     p_v, p_e = contract.volume_slopes(mixed.rho_p, e_p0, par.products)
@@ -246,11 +275,15 @@ def adiabat(start: MixtureState, volumes, burn_fraction: Callable[[float], float
     Raises NoSolution where no mixture state exists on the way.
     """
     par, mixed = start.par, start.mixed()
+    if math.isnan(mixed.rho_p):
+        mixed = mixed._replace(rho_p=0.0, e_p=0.0)      # which the closures take for unknown
     lam = burn_fraction or (lambda v: float(start.burn_fraction))
     volumes = np.asarray(volumes, float)
 
     def slope(v, e):
         found = contract.equilibrate(1.0 / v, float(e[0]), lam(v), mixed, par)
+        if found.status == contract.NO_BRACKET and lam(v) == 0.0:
+            found = Mixed(*unburned_row(1.0 / v, float(e[0]), par)[:6])
         if found.status != contract.CONVERGED:
             raise NoSolution(f"the adiabat reaches a volume of {v:.6g} m^3/kg at burn fraction {lam(v):.6g} where "
                              f"{contract.MEANING[found.status]}")
@@ -315,9 +348,10 @@ def frozen_hugoniot(upstream: MixtureState, pressures) -> FrozenHugoniot:
     p = np.atleast_1d(np.asarray(pressures, float))
     p_u = u.pressure
     v_r = np.array([hugoniot_volume(x, u.rho_r, u.e_r - q, p_u, par.reactants) for x in p])
-    v_p = np.array([hugoniot_volume(x, u.rho_p, u.e_p, p_u, par.products) for x in p])
+    none = math.isnan(u.rho_p)      # before any burning
+    v_p = np.array([math.nan if none else hugoniot_volume(x, u.rho_p, u.e_p, p_u, par.products) for x in p])
     e_r, e_p = u.e_r + 0.5 * (p + p_u) * (1.0 / u.rho_r - v_r), u.e_p + 0.5 * (p + p_u) * (1.0 / u.rho_p - v_p)
-    v, e = (1.0 - lam) * v_r + lam * v_p, (1.0 - lam) * e_r + lam * e_p
+    v, e = (v_r, e_r) if none else ((1.0 - lam) * v_r + lam * v_p, (1.0 - lam) * e_r + lam * e_p)
     jump = np.sqrt(np.maximum((p - p_u) * (v_u - v), 0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
         speed = np.where((v < v_u) & (p > p_u), v_u * np.sqrt((p - p_u) / (v_u - v)), float(upstream.sound_speed))

@@ -25,8 +25,7 @@ from scipy.optimize import brentq
 
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos import contract as eos
-from hugoniot.laws.mixture.contract import CONVERGED, volume_slopes
-from hugoniot.theory.mixture import FrozenHugoniot, MixtureState, frozen_hugoniot, hugoniot_volume
+from hugoniot.theory.mixture import FrozenHugoniot, MixtureState, frozen_hugoniot, hugoniot_volume, unburned_row
 
 WIDEST = 40.0     # of the upstream volume: how far products are looked for
 
@@ -66,11 +65,7 @@ def reacting_hugoniot(upstream: MixtureState, pressures, reacted: float | Callab
 
 def unburned(density: float, energy: float, par) -> MixtureState:
     """Upstream explosive of which nothing has burned, at rest included, where nascent products have no state; energy with Q, J/kg."""
-    reactants, none = par.reactants, np.array(math.nan)
-    p = np.array(float(eos.pressure(density, energy - par.detonation_energy, reactants)))
-    p_v, p_e = volume_slopes(density, energy - par.detonation_energy, reactants)
-    return MixtureState(par, np.array(density), np.array(energy), np.array(0.0), p, np.array(density), np.array(energy), none, none,
-                        np.array(CONVERGED), np.array(p_v), np.array(p_e), none)
+    return MixtureState(par, *map(np.array, (density, energy, 0.0, *unburned_row(density, energy, par))))
 
 
 def _product_volume(p: float, lam: float, v_r: float, e_r: float, ahead: tuple[float, float, float], products) -> float:

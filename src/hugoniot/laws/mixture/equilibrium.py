@@ -288,7 +288,7 @@ def mixture_specific_heat(burn_fraction, mixed, par):
     """C_v = 1 / (dT/de at v and lambda)."""
     if mixed.rho_r <= 0.0 or burn_fraction >= 1.0:
         return specific_heat(mixed.rho_p, mixed.e_p, par.products)
-    if mixed.rho_p <= 0.0:
+    if burn_fraction <= 0.0 or mixed.rho_p <= 0.0:
         return specific_heat(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
     s = phase_slopes(burn_fraction, mixed, par)
     t_v, t_e = temperature_slopes(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
