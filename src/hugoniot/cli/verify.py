@@ -116,11 +116,13 @@ def _total(results) -> None:
 
     typer.echo("")
     names = {"ko": "KO", "g2": "second-order Godunov", "peer": "open codes", "goal": "goals"}
-    echo_table(["problem", *names.values(), "energy error", "time"],
-               [(r.problem.name, *(met(r.judged, name) for name in names), f"{r.energy_error:.1e}", f"{r.seconds:.1f} s")
-                for r in results])
+    rows = [(r.problem.name, *(met(r.judged, name) for name in names), f"{r.energy_error:.1e}",
+             f"{r.seconds:.{0 if r.seconds >= 100.0 else 1}f} s") for r in results]
+    echo_table(["", "", "second-order", "open", "", "energy", ""],      # two lines of heads, in 80 columns
+               [("problem", "KO", "Godunov", "codes", "goals", "error", "time"), *rows])
     counts = {}
     for name in names:
         marks = [j.beats(getattr(j, name)) for r in results for j in r.judged if getattr(j, name) is not None]
         counts[name] = f"{sum(marks)} of {len(marks)}"
-    typer.echo("limits met: " + ", ".join(f"{words} {counts[name]}" for name, words in names.items()))
+    told = [f"{words} {counts[name]}" for name, words in names.items()]
+    typer.echo(f"limits met: {', '.join(told[:2])},\n            {', '.join(told[2:])}")
