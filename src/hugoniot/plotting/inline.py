@@ -17,10 +17,36 @@ from hugoniot.plotting.style import FAINT, INK, QUIET, RC
 from hugoniot.plotting.xt import xt
 
 _PAGE_COLOURS = ((INK, "currentColor"), (QUIET, "var(--quiet)"), (FAINT, "var(--faint)"))
+NARROW = 4.4    # inches, of a drawing for narrow screens: the type, of the same size in both, is then read on a telephone
 
 
-def svg(draw: Callable, name: str, width: float, height: float, *rects) -> str:
-    """The SVG text of a figure (inches) with axes at `rects` (left, bottom, width, height in inches); draw(*axes) fills it."""
+def svg(draw: Callable, name: str, width: float, height: float, *rects, narrow: tuple | None = None) -> str:
+    """The SVG text of a figure (inches) with axes at `rects` (left, bottom, width, height in inches); draw(*axes) fills it.
+
+    A figure wider than `NARROW` is drawn a second time, as wide as that, and the style sheet of the page shows the drawing that fits.
+
+    narrow  (height, rects) of the second drawing; default: axes are narrower, all margins stay. Axes that stand side by side are drawn
+            once only, and are scrolled sideways on a narrow screen
+    """
+    narrow = narrow or _narrower(width, height, rects)
+    if width <= NARROW:
+        return _drawn(draw, name, "", width, height, rects)
+    if narrow is None:
+        return f'<div class="wide">{_drawn(draw, name, "lone", width, height, rects)}</div>'
+    return _drawn(draw, name, "broad", width, height, rects) + _drawn(draw, name, "narrow", NARROW, *narrow)
+
+
+def _narrower(width: float, height: float, rects) -> tuple | None:
+    """(height, rects) with axes as much narrower as the figure is to be, and what stands right of them; None for axes side by side."""
+    left, across = max(((x, w) for x, _, w, _ in rects), key=lambda at: at[1])
+    if any(x != left and w == across for x, _, w, _ in rects):
+        return None
+    lost = width - NARROW
+    return height, [(x, y, w - lost, h) if x == left else (x - lost, y, w, h) for x, y, w, h in rects]
+
+
+def _drawn(draw: Callable, title: str, kind: str, width: float, height: float, rects) -> str:
+    name = f"{title}-narrow" if kind == "narrow" else title
     with matplotlib.rc_context({**RC, "svg.hashsalt": name, "savefig.dpi": 130}):
         figure = Figure(figsize=(width, height))
         FigureCanvasSVG(figure)
@@ -31,7 +57,7 @@ def svg(draw: Callable, name: str, width: float, height: float, *rects) -> str:
         draw(*axes)
         out = io.StringIO()
         figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
-    return _for_page(out.getvalue(), name)
+    return _for_page(out.getvalue(), title, name, " ".join(filter(None, ("picture", kind))))
 
 
 def rehearse() -> None:
@@ -44,10 +70,10 @@ def rehearse() -> None:
     svg(draw, "rehearsal", 2.0, 2.0, (0.5, 0.5, 1.0, 1.0), (1.7, 0.5, 0.1, 1.0))
 
 
-def _for_page(text: str, name: str) -> str:
+def _for_page(text: str, title: str, name: str, kind: str) -> str:
     text = text[text.index("<svg"):]
     text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.S)
-    text = re.sub(r"<svg ", f'<svg role="img" aria-label="{name}" class="picture" ', text, count=1)
+    text = re.sub(r"<svg ", f'<svg role="img" aria-label="{title}" class="{kind}" ', text, count=1)
     text = re.sub(r'(<svg[^>]*?) width="[^"]*pt" height="[^"]*pt"', r"\1", text, count=1)
     # ids are counted per figure, so a page with several needs them told apart
     text = re.sub(r'id="([\w.-]+)"', rf'id="{name}-\1"', text)
@@ -72,7 +98,9 @@ def _structure_tasks(run) -> dict[str, Callable[[], str]]:
     last = {name: record_by_record(shot, name)[-1] for name in ("density", "pressure", "temperature") if name in shot}
     centres = 0.5 * (record_by_record(shot, "position_left")[-1] + record_by_record(shot, "position_right")[-1])
     panels = [(0.7 + 3.75 * column, 0.5 + 2.3 * row, 2.9, 1.95) for row in (2, 1, 0) for column in (0, 1)]
-    found = {"structure_terms": lambda: svg(lambda *axes: draw_profile(axes, profile), "structure-terms", 7.5, 7.2, *panels)}
+    stacked = 14.1, [(0.7, 0.5 + 2.3 * row, 3.55, 1.95) for row in (5, 4, 3, 2, 1, 0)]
+    found = {"structure_terms": lambda: svg(lambda *axes: draw_profile(axes, profile), "structure-terms", 7.5, 7.2, *panels,
+                                            narrow=stacked)}
     if "density" in last:
         found["structure"] = lambda: svg(lambda ax: draw_cells(ax, profile, centres, last), "structure", 7.4, 3.0, (0.7, 0.5, 6.5, 2.4))
     return found
@@ -85,12 +113,18 @@ def _plane_tasks(run) -> dict[str, Callable[[], str]]:
     shot, rows, found = run.arrays("snapshots"), run.arrays("gauges"), {}
     wide, high = reach(run)
     wide *= 2.0 if run.setup["geometry"] == "axisymmetric" else 1.0
-    height = min(max(6.0 * high / max(wide, 1e-300), 1.6), 5.5)
+
+    def tall(across: float) -> float:
+        return min(max(across * high / max(wide, 1e-300), 1.6), 5.5)
+
+    height, less, least = tall(6.0), tall(2.8), tall(2.0)
     for name in ("pressure", "plastic_strain", "burn_fraction", "speed"):
         if name == "speed" or name in shot and np.ptp(record_by_record(shot, name)[-1]) > 0.0:
             found[f"map_{name}"] = lambda f=name: svg(lambda ax, bar: map_(run, f, ax=ax, colorbar=bar), f"map-{f}".replace("_", "-"),
-                                                      7.4, height + 0.9, (0.6, 0.5, 5.7, height), (6.5, 0.5, 0.14, height))
-    found["setup"] = lambda: svg(lambda ax: plane_setup(run, ax=ax), "setup", 7.4, height + 0.7, (0.6, 0.5, 4.6, height))
+                                                      7.4, height + 0.9, (0.6, 0.5, 5.7, height), (6.5, 0.5, 0.14, height),
+                                                      narrow=(less + 0.9, [(0.6, 0.5, 2.7, less), (3.5, 0.5, 0.14, less)]))
+    found["setup"] = lambda: svg(lambda ax: plane_setup(run, ax=ax), "setup", 7.4, height + 0.7, (0.6, 0.5, 4.6, height),
+                                 narrow=(least + 0.7, [(0.6, 0.5, 1.7, least)]))
     for record in ("pressure", "velocity_x", "velocity_y", "line_velocity"):
         if record in rows and len(rows["time"]) > 1 and np.nanmax(np.abs(rows[record]), initial=0.0) > 0.0:
             found[f"gauge_{record}"] = lambda f=record: svg(lambda ax: records.gauge(run, f, ax=ax), f"gauge-{f}".replace("_", "-"),

@@ -139,5 +139,5 @@ def _draw_gauges(ax, run, fx, ft, most: int = 6) -> None:
         if at.get(name) == name or not low <= x <= high or x - taken < 0.02 * (high - low):
             continue
         taken = x
-        ax.annotate(name, (x, ax.get_ylim()[0]), xytext=(2, 3), textcoords="offset points", rotation=90, fontsize=7, va="bottom", ha="left",
-                    path_effects=halo())
+        ax.annotate(name, (x, ax.get_ylim()[0]), xytext=(2, 3), textcoords="offset points", rotation=90, fontsize=7.5,
+                    va="bottom", ha="left", path_effects=halo())

@@ -44,11 +44,13 @@ def cards(rows) -> str:
     return '<dl class="numbers">' + "".join(f"<div><dt>{text(name)}</dt><dd>{value}</dd></div>" for name, value in rows) + "</dl>"
 
 
-def table(heads, rows) -> str:
-    """A table; `rows` hold HTML text."""
+def table(heads, rows, stacked: bool = False) -> str:
+    """A table; `rows` hold HTML text. Stacked: on a narrow screen each row stands below its first cell, every number below its head."""
     head = "".join(f"<th>{text(h)}</th>" for h in heads)
-    body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
-    return f'<div class="wide"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>'
+    starts = ["<td>", *(f'<td data-head="{text(h)}">' if stacked else "<td>" for h in heads[1:])]
+    body = "".join("<tr>" + "".join(f"{start}{cell}</td>" for start, cell in zip(starts, row)) + "</tr>" for row in rows)
+    kind = " class=stacked" if stacked else ""
+    return f'<div class="wide"><table{kind}><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>'
 
 
 def _mark(status: str) -> str:
@@ -136,7 +138,7 @@ def gauges(rows: list[dict], units: dict[str, str]) -> str:
     heads = [key for key in rows[0] if key != "gauge"]
     lines = [(text(row["gauge"]), *("none" if math.isnan(row[h]) else number(float(f"{row[h]:.5g}"), units[h]) for h in heads))
              for row in rows]
-    return table(("gauge", *(h.replace("_", " ") for h in heads)), lines)
+    return table(("gauge", *(h.replace("_", " ") for h in heads)), lines, stacked=True)
 
 
 def structure(summary: dict) -> str:

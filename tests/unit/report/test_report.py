@@ -94,7 +94,7 @@ def test_numbers_and_sources_are_told(page):
 
 def test_pictures_are_sound_svg_with_ids_of_their_own(page):
     pictures = re.findall(r"<svg .*?</svg>", page, flags=re.S)
-    assert len(pictures) == 7
+    assert len(pictures) == 14      # each for wide and for narrow screens
     ids = []
     for picture in pictures:
         root = ElementTree.fromstring(picture)
@@ -103,6 +103,19 @@ def test_pictures_are_sound_svg_with_ids_of_their_own(page):
         assert {a or b for a, b in used} <= mine
         ids += mine
     assert len(ids) == len(set(ids))
+
+
+def test_figures_are_read_on_a_narrow_screen(page):
+    """Of every figure one drawing is shown; on a screen of 420 pixels its text is 9 pixels high or more."""
+    narrow = page[page.index("@media (max-width: 36rem)"):]
+    assert "svg.narrow { display: none; }" in page and "svg.broad { display: none; } svg.narrow { display: block; }" in narrow
+    kinds = re.findall(r'<svg [^>]*class="picture (\w+)"', page)
+    assert kinds.count("broad") == kinds.count("narrow") == 7
+    assert "p, li, h1, figcaption { overflow-wrap: anywhere; }" in page     # a checksum must not widen the page
+    for picture in re.findall(r'<svg [^>]*class="picture narrow".*?</svg>', page, flags=re.S):
+        width = float(re.search(r'viewBox="0 0 ([\d.]+) ', picture)[1])
+        sizes = [float(size) for size in re.findall(r"font(?:-size)?: ?([\d.]+)px", picture)]
+        assert sizes and min(sizes) * (420 - 2 * 0.75 * 16) / width >= 9.0, picture[:200]
 
 
 def test_the_same_run_gives_the_same_page(folder, page):
