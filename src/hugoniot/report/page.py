@@ -1,4 +1,4 @@
-"""Puts report.html together: key numbers, pictures, tables, deck. Reads only the run folder."""
+"""Puts report.html together: warnings, numbers, pictures, tables, deck. Reads only the run folder."""
 
 import pathlib
 from collections.abc import Callable
@@ -106,15 +106,14 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
     setup, summary, pictures = run.setup, run.summary, drawn(picture_tasks(run))
     seen = surface_record(run)
     css = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
-    cautions = "".join(f'<p class="warning">{text(words)}</p>' for words in sections.warnings(run))
     title = text(setup["title"])
     deck = f"<pre>{text(run.deck)}</pre><p class=quiet>SHA-256 {text(summary.get('deck_sha256', 'not known'))}</p>"
     solver = setup["solver"]["kind"] + (f" ({setup['solver']['integrator']})" if setup["solver"]["kind"].startswith("lagrange") else "")
     intro = (f"{text(setup['geometry'])}, solver {text(solver)}, "
              f"hugoniot {text(setup['version'])}; status: {text(summary['status'])}")
     body = "".join([
-        f"<h1>{title}</h1><p class=quiet>{intro}</p>", cautions, sections.cards(key_numbers(run)),
-        _section("At the gauges", sections.gauges(gauge_rows(run), GAUGE_UNITS)),
+        f"<h1>{title}</h1><p class=quiet>{intro}</p>", sections.cautions(sections.warnings(run)),
+        _section("At the gauges", sections.gauges(gauge_rows(run), GAUGE_UNITS)), sections.cards(key_numbers(run)),
         _section("Set-up", _figure(pictures, "setup")),
         _section("Shock structure", sections.structure(summary), _figure(pictures, "structure"), _figure(pictures, "structure_terms")),
         _section("Wave diagram", _figure(pictures, "wave")),

@@ -178,6 +178,11 @@ def numerics(setup: dict) -> str:
     return "".join(parts)
 
 
+def cautions(words: list[str]) -> str:
+    """Warnings as one block; nothing where there are none."""
+    return f'<div class="warning">{"".join(f"<p>{text(each)}</p>" for each in words)}</div>' if words else ""
+
+
 def warnings(run) -> list[str]:
     """Everything the reader must know before trusting the numbers."""
     rows = run.arrays("events")

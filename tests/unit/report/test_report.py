@@ -118,6 +118,15 @@ def test_figures_are_read_on_a_narrow_screen(page):
         assert sizes and min(sizes) * (420 - 2 * 0.75 * 16) / width >= 9.0, picture[:200]
 
 
+def test_the_gauges_come_first(page):
+    """No cards, nor pictures, before the table of the gauges; on a narrow screen every number has its head beside it."""
+    table = page.index("<h2>At the gauges</h2>")
+    assert table < page.index('<dl class="numbers">') and table < page.index("<svg")
+    section = page[table:page.index("</section>", table)]
+    heads, rows = re.findall(r"<th>(.*?)</th>", section), re.findall(r"<tr>(<td>.*?)</tr>", section)
+    assert rows and all(re.findall(r'data-head="(.*?)"', row) == heads[1:] for row in rows)
+
+
 def test_the_same_run_gives_the_same_page(folder, page):
     assert write_report(folder).read_text(encoding="utf-8") == page
 
