@@ -27,14 +27,14 @@ def pop_picture(found, lines=(), ax=None):
         ax.plot(ends, x, "--", color=COLOURS[k + 1])
         ax.annotate(f"measured, {row['rho0']:g} kg/m³ ({row.id})", (ends[1], x[1]), (-8, 11 * k), textcoords="offset points",
                     color=COLOURS[k + 1], fontsize=8, ha="right", va="center")
-    ax.set_xlabel("input pressure (GPa)", color=INK)
-    ax.set_ylabel("run distance to detonation (mm)", color=INK)
+    ax.set_xlabel("input pressure p (GPa)", color=INK)
+    ax.set_ylabel("run distance to detonation x (mm)", color=INK)
     ax.grid(which="both", color=FAINT, linewidth=0.4)
     ax.set_axisbelow(True)
     for axis, (low, high) in ((ax.xaxis, ax.get_xlim()), (ax.yaxis, ax.get_ylim())):
         _number(axis, high / low)
     ax.tick_params(which="both", length=3.0)
-    slope = f", slope {found.line.b:.3f}" if found.line else ""
+    slope = f", d log p / d log x = {found.line.b:.3f}" if found.line else ""      # the line is fitted in log p, the axes are the other way
     ax.set_title(f"{found.material}{slope}", loc="left", color=INK)
     ax.text(1.0, 1.01, f"zone size {found.zone_size * 1e6:g} µm", transform=ax.transAxes, ha="right", color=QUIET, fontsize=8)
     return ax

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from hugoniot.diagnostics.detonation import PopLine
+from hugoniot.diagnostics.detonation import PopLine, pop_line
 from hugoniot.materials import library
 from hugoniot.output.sweep_file import Column, SweepTable
 from hugoniot.plotting.initiation import pop_picture
@@ -50,6 +50,15 @@ def test_a_pop_plot_has_numbers_along_both_axes(pressures, least):
         numbers = [(v, t.get_text()) for minor in (False, True) for v, t in zip(axis.get_ticklocs(minor=minor), axis.get_ticklabels(minor=minor))]
         shown = [text for value, text in numbers if low <= value <= high and text]
         assert len(shown) >= (least if axis is ax.xaxis else 3) and len(shown) <= 12, shown
+
+
+def test_a_pop_plot_says_of_what_its_slope_is():
+    """From two points: the pressure falls to a half where the distance grows to the fourfold, so log p falls by half of what log x grows."""
+    points = [SimpleNamespace(pressure=p, distance=x) for p, x in ((16e9, 1e-3), (8e9, 4e-3))]
+    line = pop_line([p.pressure for p in points], [p.distance for p in points])
+    ax = pop_picture(SimpleNamespace(points=points, line=line, material="explosive", zone_size=2e-5))
+    assert ax.get_title(loc="left") == "explosive, d log p / d log x = -0.500"
+    assert ax.get_xlabel() == "input pressure p (GPa)" and ax.get_ylabel() == "run distance to detonation x (mm)"
 
 
 def test_equal_records_of_a_sample_are_drawn_once():
