@@ -79,7 +79,8 @@ def command(
         limits = _limits(kind, field, x, t, shown)
         _within(run, kind, limits[0], limits[1])
         if kind in ("xt", "gauge", "pi_plane", "map"):
-            taken = {"xt": ("window", "times", "limits"), "map": ("window", "", "limits")}.get(kind, ("", "times"))
+            taken = {"xt": ("window", "times", "limits"), "map": ("window", "", "limits"),
+                     "gauge": ("", "times", "limits")}.get(kind, ("", "times"))
             options |= {name: value for name, value in zip(taken, limits) if value is not None}
         axes = getattr(run.plot, kind)(**options)
         if kind not in ("xt", "map", "pi_plane"):

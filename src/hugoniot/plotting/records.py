@@ -30,11 +30,12 @@ from hugoniot.units import format_si, parse
 
 
 @styled
-def gauge(run, field: str = "stress", names=None, times=None, ax=None):
+def gauge(run, field: str = "stress", names=None, times=None, limits=None, ax=None):
     """One field at the gauges over time, each line with its gauge's name; gives the axes.
 
     names   gauges to draw, default those at which the field ever changes (at most eight)
     times   (first, last) time in s; default the whole record
+    limits  (lowest, highest) value in SI; default from the data. A line that ends outside is named at the edge, with "above" or "below"
     """
     rows, known = run.arrays("gauges"), run.gauge_names()
     zone_field(run, "gauges", field)
@@ -52,8 +53,13 @@ def gauge(run, field: str = "stress", names=None, times=None, ax=None):
     last = -1 if times is None else max(min(int(np.searchsorted(rows["time"], times[1])), len(values)) - 1, 0)
     ax.set_ylabel(labelled(words, unit))
     quiet_grid(ax)
+    if limits is not None:
+        ax.set_ylim(*(edge * factor for edge in limits))
     if columns:
-        label_lines(ax, [known[k] for k in columns], values[last] * factor, COLOURS)
+        low, high = ax.get_ylim()
+        ends = values[last] * factor
+        beyond = (" (above)" if end > high else " (below)" if end < low else "" for end in ends)
+        label_lines(ax, [known[k] + where for k, where in zip(columns, beyond)], ends, COLOURS)
     return ax
 
 

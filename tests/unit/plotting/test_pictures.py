@@ -197,6 +197,17 @@ def test_axes_are_limited_in_si_units(run, tmp_path):
     assert half.get_xlim()[1] == pytest.approx(1.0) and half.get_ylim()[1] * unit == pytest.approx(0.5 * end)
 
 
+@pytest.mark.parametrize(("shift", "where"), [(0.0, ""), (1e-3, " (below)"), (-1e-3, " (above)")])
+def test_a_gauge_that_ends_outside_the_range_is_named_at_its_edge(run, shift, where):
+    """The range of the option holds the last value of the record, or lies just above or below it."""
+    last = run.gauge("velocity", "free surface")[1][-1]
+    low, high = last + np.array([-1.0, 1.0]) * 1e-4 * abs(last) + shift * abs(last)
+    ax = run.plot.gauge("velocity", "free surface", limits=(low, high))
+    name, = ax.texts
+    assert name.get_text() == "free surface" + where
+    assert ax.get_ylim() == pytest.approx((low, high)) and low <= name.get_position()[1] <= high
+
+
 def test_a_spike_does_not_flatten_the_differences():
     from matplotlib.figure import Figure
 
