@@ -155,7 +155,7 @@ def picture_tasks(run) -> dict[str, Callable[[], str]]:
             task(f"gauge_{record}", lambda ax, f=record: records.gauge(run, f, ax=ax), 7.4, 2.6, (0.7, 0.5, 5.4, 2.0))
     seen = surface_record(run)
     if len(seen.time) and seen.velocity.max() > 0.0:
-        task("free_surface", lambda ax: records.free_surface(run, ax=ax), 7.4, 2.8, (0.7, 0.5, 6.5, 2.2))
+        task("free_surface", lambda ax: records.free_surface(run, ax=ax), 7.4, 3.0, (0.7, 0.5, 6.5, 2.4))
     return tasks | _budget_tasks(run)
 
 

@@ -223,6 +223,15 @@ def test_a_missing_gauge_is_named(ran):
     assert not reading.numbers and "add one at 'target/window'" in reading.reason
 
 
+def test_the_picture_of_a_surface_says_which_way_is_positive(ran):
+    """The flyer moves to the right, so its left surface moves into it: positive in the record of the gauge, negative out of the body."""
+    ax = ran("free").plot.free_surface("free surface left")
+    assert ran("free").gauge("velocity", "free surface left")[1][0] == pytest.approx(SPEED)
+    assert ax.lines[0].get_ydata()[0] == pytest.approx(-SPEED) and ax.get_ylabel() == "free-surface velocity out of the body (m/s)"
+    ax = ran("window").plot.free_surface("VISAR")
+    assert ax.lines[0].get_ydata().max() > 0.0 and ax.get_ylabel() == "velocity at VISAR towards the window (m/s)"
+
+
 def test_the_body_that_is_hit():
     def regions(*speeds):
         return {"regions": [{"name": str(k), "velocity": speed} for k, speed in enumerate(speeds)]}
