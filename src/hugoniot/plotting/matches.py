@@ -37,12 +37,15 @@ def impedance_match(layers: Sequence, velocity: float, met: Sequence[Match], ax=
     rung = [(m.particle_velocity * 1e-3, m.pressure * 1e-9) for m in met[len(layers) - 2:]]
     if len(rung) > 1:  # the first layer rings up between its neighbours
         ax.plot(*zip(*rung), color=QUIET, lw=0.8, marker="o", ms=3.2, zorder=4)
-        ax.annotate(f"{rung[-1][1]:.4g} GPa", rung[-1], xytext=(-6, 4), textcoords="offset points", fontsize=8, color=QUIET, ha="right")
+        states.append((*rung[-1], f"{rung[-1][1]:.4g} GPa", True))
     finish(ax, "p-up")
     ax.set_ylim(0.0, top * 1e-9)
-    ax.annotate(f"{names[0]} at {velocity:.5g} m/s", (velocity * 1e-3, 0.0), xytext=(-8, 7), textcoords="offset points",
-                color=COLOURS[0], fontsize=SIZE, ha="right", path_effects=halo())
-    _name_states(ax, states, _name_ends(ax, ends))
+    ax.get_figure().canvas.figure.draw_without_rendering()      # settles the layout, on which the places of labels depend
+    lines = [_dense(_places(ax, line.get_xydata())) for line in ax.lines]
+    taken: list[tuple[float, float, float]] = []
+    _name_flyer(ax, f"{names[0]} at {velocity:.5g} m/s", velocity * 1e-3, taken, lines)
+    _name_ends(ax, ends, taken, lines)
+    _name_states(ax, states, taken, lines)
     return ax
 
 
@@ -63,38 +66,66 @@ def _places(ax, points) -> np.ndarray:
     return (np.asarray(points, float) - low) / (high - low) * size
 
 
-def _name_ends(ax, ends) -> list[tuple[float, float, float]]:
-    """Names of the Hugoniots where they end, those too near to another one above it; (left, right, height) of each in points."""
-    taken: list[tuple[float, float, float]] = []
+def _dense(line: np.ndarray) -> np.ndarray:
+    """(x, y) of points along a line, at most half a point of 1/72 inch apart: what covers none of them does not lie on the line."""
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
+    at = np.linspace(0.0, along[-1], int(2.0 * along[-1]) + 2)
+    return np.array([np.interp(at, along, line[:, k]) for k in (0, 1)])
+
+
+def _name_flyer(ax, text: str, velocity: float, taken, lines) -> None:
+    """The flyer's name to the left of the foot of its curve."""
+    width = _width(text)
+    tried = [(-8.0 - width - 0.5 * SIZE * k, (1.2 + 0.5 * j) * SIZE) for k in range(30) for j in range(12)]
+    across, up = _free(taken, lines, _places(ax, [(velocity, 0.0)])[0], text, sorted(tried, key=lambda at: 2.0 * at[1] - at[0]))
+    ax.annotate(text, (velocity, 0.0), xytext=(across + width, up), textcoords="offset points", color=COLOURS[0], fontsize=SIZE,
+                ha="right", va="center", path_effects=halo())
+
+
+def _name_ends(ax, ends, taken, lines) -> None:
+    """Names of the Hugoniots where they end, those too near to another one, or to a line, above it."""
     places = _places(ax, [(x, y) for x, y, *_ in ends])
     for i in np.argsort(places[:, 0]):
         x, y, name, colour = ends[i]
-        shift = _free(taken, places[i], name, [(3.0, 3.0 + k * 1.3 * SIZE) for k in range(len(ends))])
-        ax.annotate(name, (x, y), xytext=shift, textcoords="offset points", color=colour, fontsize=SIZE, path_effects=halo())
-    return taken
+        shift = _free(taken, lines, places[i], name, [(3.0, 6.0 + 0.65 * SIZE * k) for k in range(2 * len(ends) + 4)])
+        ax.annotate(name, (x, y), xytext=shift, textcoords="offset points", color=colour, fontsize=SIZE, va="center", path_effects=halo())
 
 
-def _name_states(ax, states, taken: list[tuple[float, float, float]]) -> None:
-    """Pressure and particle velocity beside each state, in the nearest place to the right that is free, with a thin line to it."""
+def _name_states(ax, states, taken, lines) -> None:
+    """Pressure and particle velocity beside each state, in the nearest place that is free, with a thin line to those further away."""
     places = _places(ax, [(x, y) for x, y, *_ in states])
     for i in np.argsort(-places[:, 1]):
         x, y, text, below = states[i]
-        first = -0.9 * SIZE if below else 0.6 * SIZE
-        tried = [(9.0 + 0.5 * SIZE * k, first - 0.65 * SIZE * j) for k in range(50) for j in range(-3, 4)]
-        shift = _free(taken, places[i], text, sorted(tried, key=lambda at: at[0] + 2.5 * abs(at[1] - first)))
-        ax.annotate(text, (x, y), xytext=shift, textcoords="offset points", fontsize=8, color=INK, va="center",
-                    path_effects=halo(), zorder=6)
-        if shift[0] > 9.0 + SIZE:
-            ax.annotate("", (x, y), xytext=(shift[0] - 1.0, shift[1]), textcoords="offset points",
+        width, first = _width(text), -0.9 * SIZE if below else 0.6 * SIZE
+        ups = [first - 0.65 * SIZE * j for j in range(-6, 7)]
+        tried = [(at, up) for k in range(50) for at in (9.0 + 0.5 * SIZE * k, -9.0 - width - 0.5 * SIZE * k) for up in ups]
+        inside = [at for at in tried if places[i][0] + at[0] > 0.0 and places[i][1] + at[1] > SIZE]
+
+        def far(at, width=width, first=first):
+            return max(at[0], -at[0] - width) + 2.5 * abs(at[1] - first)
+
+        across, up = _free(taken, lines, places[i], text, sorted(inside, key=far))
+        near = across if across > 0.0 else across + width
+        ax.annotate(text, (x, y), xytext=(near, up), textcoords="offset points", fontsize=8, color=INK, va="center",
+                    ha="left" if across > 0.0 else "right", path_effects=halo(), zorder=6)
+        if abs(near) > 9.0 + SIZE:
+            ax.annotate("", (x, y), xytext=(near - np.sign(near), up), textcoords="offset points",
                         arrowprops={"arrowstyle": "-", "color": QUIET, "lw": 0.6, "shrinkB": 3.0, "shrinkA": 0.0})
 
 
-def _free(taken: list[tuple[float, float, float]], place, text: str, shifts: Sequence[tuple[float, float]]) -> tuple[float, float]:
-    """The first of the shifts by which the text meets nothing that is written (else the last); its place is taken from then on."""
-    width, left, height = 0.62 * SIZE * len(text), 0.0, 0.0
+def _width(text: str) -> float:
+    """Of a label, at most, in points."""
+    return 0.62 * SIZE * len(text)
+
+
+def _free(taken, lines, place, text: str, shifts: Sequence[tuple[float, float]]) -> tuple[float, float]:
+    """The first of the shifts by which the text meets no other text and no line (else the last); its place is taken from then on."""
+    width, left, height = _width(text), 0.0, 0.0
     for across, up in shifts:
         left, height = place[0] + across, place[1] + up
-        if not any(left < right and other < left + width and abs(height - level) < 1.3 * SIZE for other, right, level in taken):
+        if any(left < right and other < left + width and abs(height - level) < 1.3 * SIZE for other, right, level in taken):
+            continue
+        if not any(((x > left - 2.0) & (x < left + width) & (abs(y - height) < 0.65 * SIZE)).any() for x, y in lines):
             break
     taken.append((left, left + width, height))
     return across, up

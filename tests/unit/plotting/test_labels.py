@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.path import Path
 
 from hugoniot.diagnostics.detonation import PopLine, pop_line
 from hugoniot.materials import library
@@ -28,15 +29,21 @@ def boxes(ax):
 
 
 @pytest.mark.parametrize("names", [["copper", "aluminum"], ["tungsten", "copper", "pmma"], ["copper", "aluminum", "lif", "pmma", "tungsten"],
-                                   ["aluminum", "copper", "iron", "tantalum", "tungsten"]])
-def test_the_labels_of_a_match_keep_apart_and_stay_readable(names):
+                                   ["aluminum", "copper", "iron", "tantalum", "tungsten"],
+                                   ["copper", "tantalum", "lif"], ["pmma", "copper"]])
+@pytest.mark.parametrize("speed", [500.0, 800.0])
+def test_the_labels_of_a_match_keep_apart_and_stay_readable(names, speed):
+    """No label lies on another one, nor on a curve."""
     layers = [library.find(name) for name in names]
-    ax = impedance_match(layers, 800.0, match(layers, 800.0))
+    ax = impedance_match(layers, speed, match(layers, speed))
     placed, width = boxes(ax)
-    named = {t.get_text() for t in ax.texts}
+    named = {t.get_text() for t in ax.texts} - {""}     # a line to a label is a text without words
     assert len(named) == 2 * (len(names) - 1) + 1
     for one, other in combinations(sorted(named), 2):
         assert not placed[one].overlaps(placed[other]), (one, other)
+    curves = [Path(ax.transData.transform(line.get_xydata())) for line in ax.lines]
+    for name in named:
+        assert not any(curve.intersects_bbox(placed[name].padded(-0.5), filled=False) for curve in curves), name
     assert min(placed[name].height for name in named) * WINDOW / width > READABLE
 
 
