@@ -43,8 +43,6 @@ impedance_match(layers, 1000.0, match(layers, 1000.0), ax=ax)
 for text in list(ax.texts):
     if text.get_text().startswith("layer"):
         text.set_text("copper" + text.get_text()[7:] if "layer 0" in text.get_text() else "aluminium")
-    if text.get_text().startswith("copper"):
-        text.set_position((-22, 4))
 ax.set_xlim(0, 1.08)
 p, u = linear["pressure"], linear["particle_velocity"]
 zoom = ax.inset_axes((0.14, 0.60, 0.31, 0.33))
