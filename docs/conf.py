@@ -34,7 +34,7 @@ html_theme_options = {"logo": {"text": "hugoniot"}, "navbar_align": "left", "sho
 html_sidebars = {"*": [], "theory/*": []}
 html_static_path = ["_static"]
 html_css_files = ["house.css"]
-html_js_files = ["sortable.js"]
+html_js_files = ["sortable.js", "figures.js"]
 html_show_sourcelink = False
 
 sphinx_gallery_conf = {
