@@ -5,7 +5,19 @@ import math
 import numpy as np
 
 from hugoniot.output.sweep_file import Column, SweepTable
-from hugoniot.plotting.style import COLOURS, INK, QUIET, field_scale, label_lines, labelled, new_panels, quiet_grid, styled, time_scale
+from hugoniot.plotting.style import (
+    COLOURS,
+    INK,
+    QUIET,
+    field_scale,
+    label_lines,
+    labelled,
+    new_panels,
+    quiet_grid,
+    spread,
+    styled,
+    time_scale,
+)
 
 MOST_PANELS = 6
 MOST_LABELS = 7        # lines of a family that are named one by one; more are shown by colour
@@ -228,14 +240,17 @@ def draw_indices(ax, rows) -> None:
 def draw_effects(ax, rows, column: Column) -> None:
     """Morris' effects on one result: mean magnitude across, standard deviation up, each parameter by its name."""
     unit, factor = scale(column)
-    for k, row in enumerate(rows):
-        x, y = row.magnitude * factor, row.deviation * factor
-        ax.plot(x, y, "o", color=COLOURS[k % len(COLOURS)], markersize=5)
-        ax.annotate(words_of(row.parameter), (x, y), xytext=(5, 4), textcoords="offset points", fontsize=8, color=COLOURS[k % len(COLOURS)])
+    x, y = np.array([(row.magnitude * factor, row.deviation * factor) for row in rows]).T
+    for k in range(len(rows)):
+        ax.plot(x[k], y[k], "o", color=COLOURS[k % len(COLOURS)], markersize=5)
+    ax.margins(0.15)
+    points = ax.get_figure().get_figheight() * ax.get_position().height * 72.0 / np.ptp(ax.get_ylim())
+    for k, up in enumerate(spread(points * y, 10.0) - points * y):      # names of neighbours one above the other
+        ax.annotate(words_of(rows[k].parameter), (x[k], y[k]), xytext=(5, 4 + up), textcoords="offset points", fontsize=8,
+                    color=COLOURS[k % len(COLOURS)])
     ax.set_xlabel(labelled("mean magnitude of the effects", unit))
     ax.set_ylabel(labelled("standard deviation", unit))
     ax.set_title(words_of(column.name), loc="left")
-    ax.margins(0.15)
     quiet_grid(ax)
 
 

@@ -51,7 +51,7 @@ def _sensitivities(swept: SweepTable, sensitivity) -> str:
         if rows:
             height = 0.42 * len(rows) + 0.4 if hasattr(rows[0], "total") else 2.6
             picture = svg(lambda ax, r=rows, c=column: draw_sensitivity(ax, r, c), f"sensitivity-{k}", 7.4, height + 0.9,
-                          (2.3, 0.5, 4.6, height))
+                          (2.3 if hasattr(rows[0], "total") else 0.8, 0.5, 4.6, height))      # names left of bars, right of points
             lost = f" Base cases that failed and are left out: {rows[0].lost}." if rows[0].lost else ""
             words = ("Sobol' indices with 95 % intervals." if hasattr(rows[0], "total") else
                      "Morris' elementary effects, each over the whole range of its parameter: points further right "

@@ -13,7 +13,8 @@ from hugoniot.materials import library
 from hugoniot.output.sweep_file import Column, SweepTable
 from hugoniot.plotting.initiation import pop_picture
 from hugoniot.plotting.matches import impedance_match
-from hugoniot.plotting.sweep import uncertainty_figure
+from hugoniot.plotting.style import new_axes
+from hugoniot.plotting.sweep import draw_effects, uncertainty_figure
 from hugoniot.theory.impedance import match
 
 WINDOW, READABLE = 420, 6.5     # pixels: width of the window, height of a line of text in it
@@ -74,3 +75,13 @@ def test_equal_records_of_a_sample_are_drawn_once():
     records = tuple(Column(f"joint{side}.velocity", "m/s", values) for side in ("", " left", " right")) + (Column("far.velocity", "m/s", 2.0 * values),)
     figure = uncertainty_figure(SweepTable((), (), ("",) * 12, records=records, times=np.linspace(0.0, 1e-6, 5)))
     assert [ax.get_title(loc="left").split(",")[0] for ax in figure.axes[::2]] == ["joint", "far"]
+
+
+def test_the_names_of_equal_effects_stand_one_above_the_other():
+    """Three parameters whose points nearly coincide."""
+    rows = [SimpleNamespace(parameter=f"region.flyer.{name}", magnitude=x, deviation=0.0) for name, x in (("velocity", 3.0), ("density", 2.9), ("to", 2.8))]
+    ax = new_axes(4.4, 3.5)
+    draw_effects(ax, rows, Column("y", "1", np.zeros(3)))
+    placed, _ = boxes(ax)
+    for one, other in combinations([t.get_text() for t in ax.texts], 2):
+        assert not placed[one].overlaps(placed[other]), (one, other)
