@@ -180,7 +180,7 @@ def test_states_beyond_the_limits_are_refused_with_the_limit(law):
     if math.isfinite(high):
         with pytest.raises(OutOfRange, match=re.escape(f"{high:.6g}")):
             check_state(1.001 * high, e, law.example)
-    with pytest.raises(OutOfRange, match=f"lowest the law allows, {low:.6g}"):
+    with pytest.raises(OutOfRange, match=f"must be above {low:.6g}"):
         check_state(low, e, law.example)
     with pytest.raises(OutOfRange, match="finite"):
         check_state(math.nan, e, law.example)
