@@ -4,8 +4,8 @@ Release isentropes of detonation products
 
 After a detonation the products expand from the CJ state along an isentrope. The JWL equation of state describes it by three
 terms, p = A exp(-R₁V) + B exp(-R₂V) + C/V^(1+ω), with the relative volume V = ρ₀/ρ. For PBX 9404 the first term is the largest
-up to V = 1.2, the second from there to V = 3.4, and the third, which has the form of an ideal gas, beyond. The figure compares
-three explosives of the library.
+up to V = 1.2, the second from there to V = 3.4, and the third, which has the form of an ideal-gas
+isentrope, beyond. The figure compares three explosives of the library.
 """
 
 import matplotlib.pyplot as plt

@@ -3,8 +3,8 @@ Porous aluminium: crushed, released and crushed again
 =====================================================
 
 A slow piston compresses aluminium with 78 % of the solid density. First the material is elastic; from 0.08 GPa the pores close
-along the crush curve of the P-alpha law. When the piston is drawn back, the material unloads elastically with nearly the sound
-speed of the solid, because the closed pores stay closed. On reloading it returns to the point where it left the crush curve and
+along the crush curve of the P-alpha law. When the piston is drawn back, the material unloads elastically, with a sound speed
+near that of the solid, because the closed pores stay closed. On reloading it returns to the point where it left the crush curve and
 follows the curve from there. A law without memory would go back along the crush curve and reopen the pores.
 """
 
@@ -24,7 +24,7 @@ solid = MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0)
 porous = p_alpha.build(solid, alpha0=1.275, elastic_pressure=0.08e9, compaction_pressure=0.7e9)
 
 # %%
-# The piston moves in at 0.5 m/s, is drawn back for a while, and moves in again. It is so slow that the 2 mm of material stay in
+# The piston moves in at 0.5 m/s, is drawn back for a while, and moves in again. It is so slow that the 2 mm of material stays in
 # equilibrium. The figure shows the mean pressure against the mean density: the simulated path (blue) and the crush curve at zero
 # internal energy (dashed).
 pulse = Pulse("table", times=(0.0, 4e-4, 4.04e-4, 4.8e-4, 4.84e-4, 1e-3), values=(0.5, 0.5, -0.08, -0.08, 0.5, 0.5))
@@ -50,8 +50,8 @@ ax.annotate("pores begin to close", (2121.0, 0.08), xytext=(2140, 0.03), fontsiz
 ax.set(xlabel="density (kg/m³)", ylabel="pressure (GPa)", xlim=(2100, 2640), ylim=(0, 0.42))
 
 # %%
-# The sound speed along the unloading path, and the compaction (0: pores as at first, 1: all pores closed) at the end.
+# The sound speed along the unloading path, and the compaction (0: pores as in the initial state, 1: all closed) at the end.
 stiff = (p[turn - 12] - p[turn - 4]) / (rho[turn - 12] - rho[turn - 4])
 print(f"unloading, sqrt(dp/drho): {np.sqrt(stiff):.0f} m/s, sound speed of the solid {5350.0:.0f} m/s")
-print(f"compaction {k[-1]:.3f} at {p[-1] / 1e9:.3f} GPa, by the crush curve {1.0 - ((0.7e9 - p[-1]) / 0.62e9) ** 2:.3f}")
+print(f"compaction {k[-1]:.3f} at {p[-1] / 1e9:.3f} GPa; the crush curve gives {1.0 - ((0.7e9 - p[-1]) / 0.62e9) ** 2:.3f}")
 plt.show()

@@ -4,10 +4,11 @@ Attenuation of a shock driven by a thin flyer
 
 The release from the back of a flyer plate overtakes the shock that the flyer drives, so the free surface of a thick target is
 slower than that of a thin one. A sweep over target thickness, flyer speed and yield stress gives the curves of figures 3 and 4
-of Herrmann (WL-TR-64-107) for aluminium; the measurements in them are given without numbers and not repeated here. With a flyer
-at 1.2 km/s the free surface of a target 13 flyers thick reaches 0.95 of the flyer velocity without strength, but only 0.77 with
-a yield stress of 0.276 GPa, because an elastic release is faster. In theory a release catches the shock in a target (c+U)/(c-U)
-flyers thick, with the Lagrangian speeds U of the shock and c of the release.
+of Herrmann (WL-TR-64-107) for aluminium; the measurements are only plotted there, not tabulated, and are not shown here. With a
+flyer at 1.2 km/s the free surface of a target 13 flyers thick moves, 0.12 µs after the shock has arrived, at 0.95 of the flyer
+velocity without strength, but at only 0.77 of it with a yield stress of 0.276 GPa, because an elastic release is faster. In
+theory the release catches the shock in a target (c+U)/(c-U) flyers thick, with the Lagrangian speeds U of the shock and c of the
+release.
 """
 
 import tempfile
@@ -47,8 +48,7 @@ def caught(speed, elastic, delay=0.0):
 
 # %%
 # The free-surface velocity 0.12 µs after the arrival of the main wave. It falls below the flyer velocity in targets so thick that
-# the release arrives within those 0.12 µs; the dotted lines show this thickness from the speeds of sound and shock. An elastic
-# release is faster.
+# the release arrives within those 0.12 µs; the dotted lines show this thickness as calculated from the sound and shock speeds.
 DELAY, time = 0.12e-6, table["time"].values
 
 
