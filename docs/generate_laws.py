@@ -1,5 +1,6 @@
 """Writes docs/generated/laws: a page per law from its file and its registration, with a picture (law_pictures) for equations of state."""
 
+import dis
 import inspect
 import re
 from pathlib import Path
@@ -80,9 +81,22 @@ def validity(law) -> list[str]:
         ranges = f"densities from {plain(low)} to {plain(high)} kg/m³ and energies from {plain(cold * 1e-6)} to {plain(hot * 1e-6)} MJ/kg"
         shown = [] if "energy_limits" in law.functions else [f"The law is tested with the parameters of the example for {ranges}.", ""]
         return ["## Limits", "", *limits(law), *shown]
-    rows = [(f"{name} ({unit})" if unit else name, plain(low * factor), plain(high * factor)) for name, unit, factor, low, high in box]
-    lines = ["## Tested range", "", "The law is tested with the parameters of the example for these states:", ""]
+    used = arguments(law)
+    rows = [(f"{name} ({unit})" if unit else name, plain(low * factor), plain(high * factor))
+            for key, (name, unit, factor, low, high) in zip(law.box, box) if key in used]
+    given = "the parameters of the example" if accepted(law)[1] else "its default parameters"
+    lines = ["## Tested range", "", f"The law is tested with {given} for these states:", ""]
     return [*lines, *table(["quantity", "from", "to"], rows)] if rows and accepted(law)[0] else []
+
+
+def arguments(law) -> set[str]:
+    """The arguments that the law's functions read: the functions of a family all take the same ones, and few laws need them all."""
+    read: set[str] = set()
+    for function in law.functions.values():
+        for step in dis.get_instructions(function):
+            if step.opname.startswith("LOAD_FAST"):
+                read |= set(step.argval) if isinstance(step.argval, tuple) else {step.argval}
+    return read
 
 
 def rounded(value: float) -> str:
@@ -99,11 +113,11 @@ def limits(law) -> list[str]:
     ends = "it must lie inside the table" if "energy_limits" in law.functions else ends
     real = "its sound speed must be real ($c^2 > 0$)"
     lines = [f"A state must meet two conditions: {ends}, and {real}." if ends else
-             "Any density is allowed with the parameters of the example, if the sound speed of the state is real ($c^2 > 0$)."]
+             "With the parameters of the example any density is allowed at which the sound speed is real ($c^2 > 0$)."]
     if np.isfinite(fastest):
         lines.append(f"The principal Hugoniot ends at a particle velocity of {rounded(fastest)} m/s.")
-    lines.append("These are limits of the formulas, not of the data behind the parameters. The command-line tools refuse a state outside "
-                 "with an error that states the limit.")
+    lines.append("This is the range of the formulas; the data behind the parameters usually cover less. The command-line tools refuse a "
+                 "state outside it, with an error message that gives the limit.")
     return [" ".join(lines), "", temperature(law), ""]
 
 

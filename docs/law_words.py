@@ -7,8 +7,8 @@ FAMILIES = {
             "Choose one for each material: `law = \"...\"` in the table `[material.NAME.eos]` of a deck. Its *reference state* is the "
             "density $\\rho_0$ at zero pressure and the temperature $T_0$; a gas has the pressure of that density and temperature, and "
             "detonation products are referred to the density and energy of the unreacted explosive.\n\n"
-            "Each page states the limits of its formulas. The command-line tools refuse a state outside them with an error that states the "
-            "limit. A run does not start outside them, and it stops when the sound speed of a zone is no longer real."),
+            "Each page states the limits of its formulas. The command-line tools refuse a state outside them with an error message that "
+            "gives the limit. A run does not start outside them, and it stops when the sound speed of a zone is no longer real."),
     "strength": ("Strength",
                  "A strength law gives the shear modulus and the flow stress of a solid: `law = \"...\"` in the table "
                  "`[material.NAME.strength]` of a deck."),
@@ -113,8 +113,8 @@ WRITTEN = {
 # parameter of a mixture law: what gives it
 WHERE_SET = {
     "reactants": "the table `unreacted` of the material", "products": "the table `eos` of the material",
-    "detonation_energy": "the key `detonation_energy` of the material; default: the difference of the reference energies of products and "
-                         "reactants",
+    "detonation_energy": "the key `detonation_energy` of the material; default: the energy that the equation of state of the "
+                         "products assigns to its reference state, minus the same of the reactants",
     "reactant_density_limit": "the equation of state itself", "product_density_limit": "the equation of state itself",
     "nascent_limit": "the solver: 1e-3 with `lagrange1d` and `lagrange2d`, 1e-4 with `fronts`; 1e-6 in the tools without a mesh",
 }

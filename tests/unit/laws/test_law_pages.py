@@ -78,4 +78,4 @@ def test_every_page_tells_equation_parameters_validity_and_source(pages):
             assert "## Parameters" in text and "## References" in text and law.summary in text, law.name
             assert all(f"`{name}`" in text for name in pages.accepted(law)[0]), law.name
             assert "$$" in text or law.name == "none", law.name
-            assert family != "eos" or "states the limit" in text, law.name
+            assert family != "eos" or "gives the limit" in text, law.name
