@@ -1,8 +1,8 @@
 r"""Mie-Grüneisen equation of state with a linear Us-up relation, written in terms of its exact cold curve (at 0 K).
 
-Its pressures are those of `mie_gruneisen`. Only the temperature differs: it is zero on the cold curve, and therefore depends on the energy
-$E_{00}$ at the reference density and 0 K. Use the law to compare with results that were computed with a cold curve. In other cases use
-`mie_gruneisen`, which needs no cold energy.
+Its pressures are those of `mie_gruneisen`. The temperature is zero on the cold curve, so temperature and entropy depend on the energy
+$E_{00}$ at the reference density and 0 K instead of on a reference temperature. Use the law to compare with results that were computed
+with a cold curve. In other cases use `mie_gruneisen`, which needs no cold energy.
 
 $$p = P_c + \rho_0\Gamma_0(e - E_c), \qquad P_c = \rho_0\frac{dE_c}{d\eta}, \qquad \eta = 1 - \rho_0/\rho$$
 
@@ -10,13 +10,13 @@ In compression the cold energy $E_c$ and cold pressure $P_c$ follow from
 
 $$\frac{dE_c}{d\eta} - \Gamma_0E_c = f(\eta) = \frac{c_0^2\,\eta\,(1 - \Gamma_0\eta/2)}{(1 - s\eta)^2}, \qquad E_c(0) = E_{00}.$$
 
-The solution is $E_c = E_{00}\exp(\Gamma_0\eta) + e_S$. The page of `mie_gruneisen` gives the energy $e_S$ on the isentrope through the
-reference state, in compression and in tension; in compression $e_S$ contains an exponential integral, which the source calls an error
-function (J-E8). With this solution the pressure is $p = \rho_0(f + \Gamma_0e)$, so shock states are correct for any $\Gamma_0$ and do not
-depend on $E_{00}$. The temperature is $T = (e - E_c)/c_v$ with a constant specific heat $c_v$. For
-a reference state of temperature $T_0$ set $E_{00} = -c_vT_0$.
+The solution is $E_c = E_{00}\exp(\Gamma_0\eta) + e_S$. The equation of $e_S$, the energy on the isentrope through the reference state, is
+given under `mie_gruneisen`, in compression and in tension; in compression it contains an exponential integral, which the source calls
+an error function (J-E8). With this solution the pressure is $p = \rho_0(f + \Gamma_0e)$: the law reproduces the Us-up relation exactly,
+whatever the values of $\Gamma_0$ and $E_{00}$. The temperature is $T = (e - E_c)/c_v$ with a constant specific heat $c_v$. With
+$E_{00} = -c_vT_0$ it is $T_0$ in the reference state, and it is everywhere that of `mie_gruneisen` with this $T_0$.
 
-The closed form needs $\Gamma_0 \le 8s$.
+Parameters with $\Gamma_0 > 8s$ are refused, because the closed form of $e_S$ would lose its precision; use `mie_gruneisen`.
 
 Source: Jordan (2011), eq. 5.1.1 to 5.1.13 (5.1.10 is missing from the available copy and was rederived); Starkenberg, ARL-TR-2161, A-2.
 """
