@@ -1,6 +1,6 @@
-r"""Nonideal gas for detonation products, referred to one isentrope that is a power of the density.
+r"""Nonideal gas for detonation products, referred to one isentrope, on which the pressure is a power of the density.
 
-Use it for an explosive of which only one state of the products, usually the CJ state, and an exponent are known. The isentrope through
+Use it for an explosive for which only one state of the products, usually the CJ state, and an exponent are known. The isentrope through
 that state $(\rho_1, p_1)$ is $p_i = p_1(\rho/\rho_1)^\beta$ with the energy $e_i = p_i/[\rho(\beta-1)]$, and
 
 $$p = \chi\rho^\beta + \Gamma\rho e, \qquad \chi = p_1\rho_1^{-\beta}\left(1 - \frac{\Gamma}{\beta - 1}\right)$$
@@ -11,7 +11,9 @@ $T = T_1(\rho/\rho_1)^\Gamma + (e - e_i)/c_v$.
 
 Real products expand with a falling exponent; for large expansions use `jwl` or `davis_products`.
 
-Source: Herrmann, WL-TR-64-107, C.19 to C.23 (in the pentolite example "$p_i$ = 2.77" is $\beta$: H-E12).
+The CJ state, $\beta$ and $E_0$ of the example are those of Herrmann's pentolite; $\Gamma$, $c_v$ and $T_1$ are illustrative.
+
+Source: Herrmann, WL-TR-64-107, C.19 to C.23; where the source prints "$p_i$ = 2.77" for pentolite, it means $\beta$ = 2.77 (H-E12).
 """
 
 import math
@@ -79,7 +81,7 @@ EOS.add(
     "nonideal_gas", NonidealGas,
     functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
                reference_isentrope],
-    example=NonidealGas(2333.0, 29.0289e9, 2.9, 0.9, 1714.0, 8.2e9, 1300.0, 3500.0),
+    example=NonidealGas(2333.0, 29.0289e9, 2.77, 0.9, 1714.0, 8.2e9, 1300.0, 3500.0),
     units={"rho1": "kg/m^3", "p1": "Pa", "beta": "1", "gamma": "1", "rho0": "kg/m^3", "e0": "J/m^3", "specific_heat": "J/kg/K",
            "reference_temperature": "K"},
     meaning={"rho1": "density of the known state of the products, usually the CJ state",
