@@ -4,19 +4,18 @@ $$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,$$
 $$p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad T_r(v_r, e_r - Q) = T_p(v_p, e_p)$$
 
 * $\lambda$: burn fraction, the mass fraction of products
-* $v$, $e$: specific volume and specific internal energy of the mixture; with the index r those of the reactants, with p those of the
-  products
+* $v$, $e$: specific volume and specific internal energy of the mixture; the subscripts r and p denote reactants and products
 * $p_r$, $p_p$, $T_r$, $T_p$: pressures and temperatures of the two equations of state
-* $Q$: chemical energy, `detonation_energy`
+* $Q$: chemical energy, `detonation_energy`; $e$ and $e_r$ include it, but the equation of state of the reactants does not
 
 Use it for slow burning, in which the phases have time to exchange heat. Both equations of state must give a temperature and a specific heat
 consistent with their pressure: the slopes of the temperature are taken as $(\partial T/\partial v)_e = p/c_v - T (\partial p/\partial e)_v$
 and $(\partial T/\partial e)_v = 1/c_v$.
 
-**Numerical solution.** The unknowns are $w = v_r - v_p$ and $z = e_r - e_p$, for which the sums of volume and energy hold identically.
-Newton's method is applied to both. If it does not converge, the search is nested: at fixed $w$ the temperature difference increases with
-$z$, and along the $z(w)$ so found the pressure difference decreases with $w$, so both roots can be bracketed. The equations are regular
-at $\lambda$ = 0 and 1.
+**Numerical solution.** The unknowns are $w = v_r - v_p$ and $z = e_r - e_p$, with which the equations for $v$ and $e$ above are satisfied
+identically. Newton's method is applied to both. If it does not converge, the search is nested: at fixed $w$ the temperature difference
+increases with $z$, and along the function $z(w)$ so found the pressure difference decreases with $w$, so both roots can be bracketed.
+The equations are regular at $\lambda$ = 0 and 1.
 """
 
 from typing import NamedTuple
@@ -304,8 +303,8 @@ MIXTURE.add(
            "product_density_limit": "kg/m^3"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
              "detonation_energy": "chemical energy Q released by burning, not negative",
-             "reactant_density_limit": "highest density of the equation of state of the reactants",
-             "product_density_limit": "highest density of the equation of state of the products"},
+             "reactant_density_limit": "upper bound of the search: highest density at which the law of the reactants is defined",
+             "product_density_limit": "upper bound of the search: highest density at which the law of the products is defined"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
     references=("Starkenberg, ARL-TR-2161, section 4.2 and appendix B",),
     flags=("needs_temperature",),

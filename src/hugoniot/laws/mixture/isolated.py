@@ -4,9 +4,9 @@ $$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,$$
 $$p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad e_r - Q = e_S(v_r)$$
 
 * $\lambda$: burn fraction, the mass fraction of products
-* $v$, $e$: specific volume and specific internal energy of the mixture; with the index r those of the reactants, with p those of the
-  products
-* $p_r$, $p_p$: pressures of the two equations of state; $Q$: chemical energy, `detonation_energy`
+* $v$, $e$: specific volume and specific internal energy of the mixture; the subscripts r and p denote reactants and products
+* $p_r$, $p_p$: pressures of the two equations of state
+* $Q$: chemical energy, `detonation_energy`; $e$ and $e_r$ include it, but the equation of state of the reactants does not
 * $e_S$: energy on the isentrope of the reactants through their state behind the last shock
 
 Use it for fast burning at hot spots, in which the phases have no time to exchange heat. It is the default with the burn laws `arrhenius`,
@@ -14,11 +14,12 @@ Use it for fast burning at hot spots, in which the phases have no time to exchan
 
 **Small burn fractions.** The energy of the products is $e_p = (e - (1-\lambda) e_r)/\lambda$. At small $\lambda$ this magnifies any error
 of $e$. Below the burn fraction `nascent_limit` the isentrope of the reactants is therefore taken through the state of the mixture itself.
-The limit is 1e-6 in tools whose energies are exact to round-off, and 1e-3 in a run, whose energies have errors of about 1e-4 in a shock.
+The limit is 1e-6 in tools whose energies are exact to round-off, and larger in a run (1e-3, in `fronts` 1e-4),
+whose energies have errors of about 1e-4 in a shock.
 
-**Numerical solution.** The unknown is $w = v_r - v_p$; with $v_r = v + \lambda w$ and $v_p = v - (1-\lambda)w$ the sum of volumes holds
-identically. While both phases are stable the pressure difference $p_r - p_p$ decreases with $w$, so the root is unique. There its slope is
-$-I^2$, with $I^2 = \lambda i_r^2 + (1-\lambda) i_p^2$ and the acoustic impedance $i = \rho c$ of a phase. Newton's method runs
+**Numerical solution.** The unknown is $w = v_r - v_p$; with $v_r = v + \lambda w$ and $v_p = v - (1-\lambda)w$ the equation for $v$ is
+satisfied identically. While both phases are stable the pressure difference $p_r - p_p$ decreases with $w$, so the root is unique. There its
+slope is $-I^2$, with $I^2 = \lambda i_r^2 + (1-\lambda) i_p^2$ and the acoustic impedance $i = \rho c$ of a phase. Newton's method runs
 inside a bracket that only shrinks.
 """
 
@@ -257,8 +258,8 @@ MIXTURE.add(
            "product_density_limit": "kg/m^3", "nascent_limit": "1"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
              "detonation_energy": "chemical energy Q released by burning, not negative",
-             "reactant_density_limit": "highest density of the equation of state of the reactants",
-             "product_density_limit": "highest density of the equation of state of the products",
+             "reactant_density_limit": "upper bound of the search: highest density at which the law of the reactants is defined",
+             "product_density_limit": "upper bound of the search: highest density at which the law of the products is defined",
              "nascent_limit": "burn fraction below which the isentrope of the reactants passes through the state of the mixture"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
     references=("Starkenberg, ARL-TR-2161, sections 5.1 to 5.9 and appendix B, corrected (S-E2, S-E3, S-E13)",),

@@ -10,8 +10,11 @@ $$p = (1-\lambda)\,p_r(\rho, e - Q) + \lambda\,p_p(\rho, e) \;(\text{weighted pr
 
 The phases are not in equilibrium, and the weighted pressure has no thermodynamic meaning. `weighted_pressures` is the simple rule of many
 codes; it is the default with the burn laws `jwl_plus_plus` and `threshold`. `burned_products` leaves out the pressure of the reactants; it
-is the default with the burn laws `programmed`, `beta` and `programmed_beta`. If the equation of state of the products contains no chemical
-energy, as that of an ideal gas, `burned_products` needs the key `detonation_energy` of the material.
+is the default with the burn laws `programmed`, `beta` and `programmed_beta`.
+
+The specific internal energy of an unburned zone includes $Q$ from the start. With `burned_products`, $Q$ is the energy that the equation of
+state of the products assigns to the unburned explosive (for JWL $E_0/\rho_0$), unless the material has the key `detonation_energy`. The key
+is required if that equation of state contains no chemical energy, as is the case for an ideal gas.
 """
 
 from typing import NamedTuple
