@@ -12,8 +12,8 @@ $$c^2 = \omega(\omega+1)\left[e_1\left(\frac{(R_1V)^2}{\omega(\omega+1)} - 1\rig
   \quad e_1 = \frac{A}{R_1\rho_0},\; e_2 = \frac{B}{R_2\rho_0},$$
 
 with the prefactor corrected (S-E10). All isentropes are $e_S = e_1e^{-R_1V} + e_2e^{-R_2V} + \text{const}\cdot V^{-\omega}$. The
-temperature is $T = (e - e_C)/c_v$, where the cold isentrope $e_C$ has the constant `cold_constant`: 0, unless a temperature of the
-products is known to which it can be fitted.
+temperature is $T = (e - e_C)/c_v$, where the cold isentrope $e_C$ is the one whose constant is `cold_constant`. Leave it at 0
+unless a measured temperature of the products allows it to be fitted.
 
 **Negative B.** Sets fitted to unreacted explosives have $B < 0$; for those use `jwl_unreacted`, which has the same pressure. The cold
 pressure $f = Ae^{-R_1V} + Be^{-R_2V}$ then falls to its greatest tension at

@@ -1,4 +1,4 @@
-r"""Tillotson equation of state, for metals and rocks from the solid to the vapour of a hypervelocity impact.
+r"""Tillotson equation of state, for metals and rocks in hypervelocity impact, from the solid to the vapour.
 
 With $X = \rho/\rho_0$, $\mu = X - 1$ and $\omega = e/(E_0X^2) + 1$, compressed or cold material has
 
@@ -104,9 +104,11 @@ EOS.add(
     meaning={"rho0": "reference density", "a": "Grüneisen parameter of the hot gas",
              "b": "Grüneisen parameter in the reference state minus `a`", "bulk_a": "A, bulk modulus in the reference state",
              "bulk_b": "B, coefficient of (rho/rho0 - 1)^2 in the pressure",
-             "alpha": "coefficient in the factor exp(-alpha (rho0/rho - 1)^2) of all terms but that of `a` in vapour",
-             "beta": "coefficient in the factor exp(-beta (rho0/rho - 1)) of the cold pressure in vapour",
-             "e0": "energy at which the term of `b` has fallen to half, at the reference density",
+             "alpha": "coefficient in "
+                      "exp(-alpha (rho0/rho - 1)^2), which in the formula for vapour multiplies every term except the one with `a`",
+             "beta": "coefficient in exp(-beta (rho0/rho - 1)), which in the formula for vapour multiplies the term with `A`",
+             "e0": "specific energy at which, at the reference density, "
+                   "the contribution of `b` to the Grüneisen parameter has fallen to `b`/2",
              "e_incipient": "energy of incipient vaporisation", "e_complete": "energy of complete vaporisation"},
     box={"rho": (2400.0, 7000.0), "e": (0.0, 5e7)},
     above={"e0": 0.0, "e_incipient": 0.0, "e_complete": 0.0},

@@ -6,7 +6,8 @@ the reference state:
 $$p = k_1x + k_2x^2 + k_3x^3 + \Gamma_0\rho_0e, \qquad x = 1 - \rho_0/\rho, \qquad k_2 = 0 \text{ for } x < 0,$$
 $$k_1 = \rho_0c_0^2, \quad k_2 = k_1\left(2s - \tfrac12\Gamma_0\right), \quad k_3 = k_1s\,(3s - \Gamma_0).$$
 
-In compression its Hugoniot lies below the linear one it was derived from (copper: by 0.6 % in pressure at a strain of 0.1, 16 % at 0.3).
+In compression its Hugoniot lies below that of the linear Us-up relation from which it was derived (copper:
+by 0.6 % in pressure at a strain of 0.1, 16 % at 0.3).
 
 With a constant specific heat $c_v$ the temperature is $T = T_0e^{\Gamma_0x} + (e - e_S)/c_v$ with the isentrope through the reference
 state

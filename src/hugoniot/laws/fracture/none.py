@@ -3,7 +3,7 @@
 $$r = 0$$
 
 A material breaks when its failure ratio $r$ reaches 1; here it stays at zero. This law is the
-default of a material without a table `[material.NAME.fracture]`.
+default for a material without a table `[material.NAME.fracture]`.
 """
 
 from typing import NamedTuple

@@ -44,5 +44,5 @@ STRENGTH.add(
              "g3": "coefficient of the cube of the compression", "yield_stress": "flow stress in uniaxial stress"},
     box={"rho": (2500.0, 4500.0), "p": (-5e9, 1e11), "temperature": (0.0, 1e4), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
-    references=("Herrmann, WL-TR-64-107 (1964), equations A.17 ff. and B.28, with the compression of C.4",),
+    references=("Herrmann, WL-TR-64-107 (1964), equations A.17 ff. and B.28, with the compression as defined in C.4",),
 )

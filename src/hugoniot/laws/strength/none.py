@@ -2,7 +2,7 @@ r"""No strength: the material is a fluid.
 
 $$G = 0, \qquad Y = 0$$
 
-The shear modulus $G$ and the flow stress $Y$ vanish, so the stress is the pressure alone. It is the default of a material
+The shear modulus $G$ and the flow stress $Y$ vanish, so the stress is the pressure alone. This law is the default for a material
 without a table `[material.NAME.strength]`.
 """
 

@@ -9,8 +9,9 @@ $$T_m = T_{m0}\,\exp\left[2a\left(1 - 1/\eta\right)\right]\eta^{2(\gamma_0 - a -
 * $\beta$, $n$: `hardening_coefficient`, `hardening_exponent`; $\varepsilon_p$: accumulated equivalent plastic strain;
   $\varepsilon_i$: `initial_strain`
 * $A$, $B$: `pressure_coefficient`, `temperature_coefficient`; $p$, $T$: pressure and temperature
-* $\rho_0$: reference density, `rho0`; $\eta$: compression
-* $T_m$: melting temperature; $T_{m0}$, $\gamma_0$, $a$: `melt_temperature`, `melt_gruneisen`, `melt_a`
+* $\rho_0$: reference density, `rho0`; $\rho$: density
+* $T_m$: melting temperature; $T_{m0}$, $\gamma_0$, $a$: `melt_temperature`, `melt_gruneisen`, `melt_a`; the Grüneisen parameter of
+  this melting law is $\gamma_0 - a(1 - 1/\eta)$
 
 Above the melting temperature $Y = 0$, and $G$ is $G_0$ times `melt_shear_fraction`. Large tensions or temperatures would make $\varphi$
 negative; it is therefore not less than `melt_shear_fraction` in $G$ and not less than 0 in $Y$. The flow stress does not depend on the
@@ -78,8 +79,9 @@ STRENGTH.add(
              "largest_yield_stress": "upper limit of the hardened flow stress at zero pressure and 300 K",
              "pressure_coefficient": "A, pressure derivative of the shear modulus, divided by the shear modulus",
              "temperature_coefficient": "B, relative decrease of the shear modulus per kelvin",
-             "melt_temperature": "melting temperature at the reference density", "melt_gruneisen": "Grüneisen parameter of the melting law",
-             "melt_a": "a, coefficient of volume in the Grüneisen parameter of the melting law",
+             "melt_temperature": "melting temperature at the reference density",
+             "melt_gruneisen": "Grüneisen parameter of the melting law at rho0",
+             "melt_a": "a in the Grüneisen parameter of the melting law, melt_gruneisen - a (1 - rho0/rho)",
              "initial_strain": "equivalent plastic strain before loading",
              "melt_shear_fraction": "fraction of the shear modulus that remains in the melt"},
     defaults={"initial_strain": 0.0, "melt_shear_fraction": 0.0},

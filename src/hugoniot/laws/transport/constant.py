@@ -2,7 +2,7 @@ r"""Constant shear viscosity.
 
 $$\mu = \mu_0$$
 
-with $\mu_0$ = `shear_viscosity`. It suits liquids, and gases whose temperature changes little.
+with $\mu_0$ = `shear_viscosity`. It suits liquids and gases whose temperature changes little.
 """
 
 from typing import NamedTuple

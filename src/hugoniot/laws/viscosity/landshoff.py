@@ -1,14 +1,14 @@
-r"""Artificial viscosity of von Neumann-Richtmyer and Landshoff, with the true sound speed.
+r"""Artificial viscosity of von Neumann-Richtmyer and Landshoff, with the longitudinal sound speed.
 
 $$q = C_0^2\,\rho\,(\Delta u)^2 + C_L\,\rho\,c\,|\Delta u|$$
 
 * $q$: viscous pressure; it is added to the pressure of a zone under compression, and is zero in a zone that expands
 * $\rho$: density; $\Delta u$: velocity difference across the zone
 * $c$: longitudinal sound speed
-* $C_0$, $C_L$: `quadratic`, `linear`
+* $C_0$, $C_L$: coefficients `quadratic` and `linear`
 
-The quadratic term spreads strong shocks over a few zones; the linear term damps the oscillations behind them. With the true sound speed
-$C_L = 1$ would be far too viscous (W-E4).
+The quadratic term spreads strong shocks over a few zones; the linear term damps the oscillations behind them. Wilkins takes
+$\sqrt{P/\rho}$ for $c$ and $C_L = 1$ (law `wilkins`); with the longitudinal sound speed $C_L = 1$ would give far too much viscosity (W-E4).
 """
 
 from typing import NamedTuple
