@@ -78,14 +78,14 @@ PURPOSES = {
 # public functions of the tools that serve other modules only
 FOR_DEVELOPERS = {"states.has", "states.evaluate", "isentrope.expansion_to", "isentrope.grid", "isentrope.elastic", "fits.read_columns",
                   "znd.zone_of", "sesame.looks_like"}
-MATERIALS = (' The functions take as a material one of the library, such as `hugoniot.materials.library.find("copper")`, or the parameters '
-             'of an equation of state.')
+MATERIALS = (' As material the functions accept one from the library, such as `hugoniot.materials.library.find("copper")`, or the '
+             'parameters of an equation of state.')
 INITIAL = " The class `Initial`, for the state ahead of a shock, is in `hugoniot.theory.upstream`."
 # module of exact solutions: title of its page
 TITLES = {
     "blake": "Blake's cavity", "coggeshall": "Coggeshall's compression in two dimensions",
     "coggeshall_flows": "Coggeshall's flows without shocks", "coggeshall_shocks": "Coggeshall's flows with a shock",
-    "double_burgers": "Standing wave of a gamma = 3 gas", "dsd": "Detonation shock dynamics", "dsd_start": "Rate stick from a plane front",
+    "double_burgers": "Standing wave in a gamma = 3 gas", "dsd": "Detonation shock dynamics", "dsd_start": "Rate stick from a plane front",
     "ehep": "Escape of detonation products", "elastic_plastic_piston": "Elastic-plastic piston",
     "fickett_rivard": "Steady reaction zone", "guderley": "Guderley's converging shock", "kenamond": "Burn times",
     "kidder": "Kidder's shell", "mader": "Taylor wave", "meeting_streams": "Two supersonic streams", "noh": "Noh's implosion",

@@ -12,7 +12,7 @@ $-dp/dV = p/(1-V)$ and the energy $E(V_{CJ}) = E_0 + p(1-V)/2$ with the detonati
 reproduces the CJ state exactly, and only the exponents are fitted to the logarithm of the pressures of the expansion curve.
 
 **Adjusted Grüneisen parameter.** Jordan's truncated cubic equation of state satisfies the jump conditions of a shock state only with an
-adjusted Grüneisen parameter (Jordan eq. 7.1.31, missing from our copy and derived here); see `adjusted_gamma`.
+adjusted Grüneisen parameter (Jordan eq. 7.1.31, missing from our copy and derived for this project); see `adjusted_gamma`.
 
 Source: KB codes manual, section 3, for Us-up; Lee, Hornig and Kury, UCRL-50422, for the form of the JWL; Jordan (2011), section 7.1.
 """

@@ -30,8 +30,8 @@ WIDEST = 1e12     # J/kg: how far the energy of a Fanno state is searched
 class ShockLines:
     """Pressure (Pa) and energy (J/kg) on both lines, and pressure on the Hugoniot, at the same densities (kg/m3).
 
-    The densities begin at the state ahead and end beyond the shocked state, `behind`, where the specific volume has changed by a tenth
-    more than in the shock.
+    The densities run from the state ahead to beyond the shocked state (attribute `behind`), to 1.1 times the change of specific volume
+    across the shock.
     """
 
     initial: Initial
@@ -54,7 +54,7 @@ def shock_lines(material, initial: Initial | None = None, points: int = 101, **s
 
     initial    state ahead, an `Initial`; default: the reference state
     points     number of points of each line
-    strength   exactly one of pressure, particle_velocity, shock_velocity and density behind the shock, as in `pressure=20e9` (SI)
+    strength   exactly one of shock_velocity and, behind the shock, pressure, particle_velocity and density, as in `pressure=20e9` (SI)
 
     Raises NoSolution if the equation of state has no state on a line at one of the densities.
     """

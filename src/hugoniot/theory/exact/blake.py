@@ -20,7 +20,7 @@ $$f = -\frac{Pa^3}{4G}\left[1 - e^{-\alpha\tau}\left(\cos\omega\tau + \frac\alph
 At the front the compressive stress is $Pa/r$. Far behind it the solid is at rest with the displacement $Pa^3/(4Gr^2)$ and its initial
 density.
 
-Source: Blake, J. Acoust. Soc. Am. 24 (1952) 211; Sharpe, Geophysics 7 (1942) 144; derived here.
+Source: Blake, J. Acoust. Soc. Am. 24 (1952) 211; Sharpe, Geophysics 7 (1942) 144; derived for this project.
 """
 
 import numpy as np

@@ -11,7 +11,7 @@ e = \frac{b(1-b)}{2(\gamma-1)}\frac{z^2}{(1-t)^2}, \qquad b = \frac{2 - n(\gamma
 The equations are in units in which the collapse takes the time 1. The pressure does not depend on $r$. For $n = 2$ and $\gamma = 5/3$ the
 constants are $b = 1/4$ and $e = (3z/8)^2$ at $t = 0$.
 
-Source: Coggeshall, Phys. Fluids A 3 (1991) 757; derived here for any gamma.
+Source: Coggeshall, Phys. Fluids A 3 (1991) 757; derived for this project for any gamma.
 """
 
 import numpy as np

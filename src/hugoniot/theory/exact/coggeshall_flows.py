@@ -23,7 +23,7 @@ ExactPack has all problems up to 21 except 15. Of those not given here, 8 and 11
 for the exponent at which a heat flux has no divergence. Problem 19 is `noh`, and 20 and 21 are `coggeshall_noh` and
 `coggeshall_stopping`. Problems 3, 4, 5 and 12 have gamma < 1 or a negative temperature, and 10, 13, 14, 16 and 17 need heat conduction.
 
-Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 1, 2, 6, 7; derived here for any exponent.
+Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 1, 2, 6, 7; derived for this project for any exponent.
 """
 
 import numpy as np

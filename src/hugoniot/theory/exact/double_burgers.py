@@ -1,4 +1,4 @@
-r"""Standing wave of a gamma = 3 gas between two walls: a smooth flow in which each Riemann invariant satisfies Burgers' equation.
+r"""Standing wave in a gamma = 3 gas between two walls: a smooth flow in which each Riemann invariant satisfies Burgers' equation.
 
 It tests the order of accuracy of a solver in smooth flow, before any shock forms.
 
@@ -12,7 +12,8 @@ walls the gas is continued by its mirror images, so that the velocity at the wal
 
 * $\bar\rho$: `density`; $A$: `amplitude`; $k$: `half_waves`; $L$: `length`
 
-Source: Courant & Friedrichs, Supersonic Flow and Shock Waves (1948), section 40 (gamma = 3); derived here.
+Source: Courant & Friedrichs, Supersonic Flow and Shock Waves (1948), section 40, treats gamma = 3; the solution between walls was
+derived for this project.
 """
 
 import numpy as np
@@ -37,7 +38,7 @@ def _carried(x, time, sign, level, amplitude, wave_number):
 
 def double_burgers(density: float = 1.0, pressure: float = 1.0 / 3.0, amplitude: float = 0.1, length: float = 1.0,
                    half_waves: int = 2) -> Solution:
-    """Smooth standing wave of a gamma = 3 gas between walls at 0 and length, from rest with uniform entropy.
+    """Smooth standing wave in a gamma = 3 gas between walls at 0 and length, from rest with uniform entropy.
 
     density      mean density
     pressure     pressure at the mean density

@@ -28,7 +28,7 @@ $\Omega$ follows from the second, and the angle $\vartheta$ by which the front l
 \tan\psi/r$.
 
 Source: Bdzil, J. Fluid Mech. 108 (1981) 195; Bdzil and Stewart, Phys. Fluids A 1 (1989) 1261; Short and Bdzil, J. Fluid Mech. 479 (2003)
-39; derived here.
+39; derived for this project.
 """
 
 import math

@@ -20,7 +20,7 @@ $$u = \tfrac12(w_+ + w_-), \qquad c = \tfrac12(w_+ - w_-), \qquad \rho = \frac{1
 
 * $D$: `detonation_velocity`; $\rho_0$: initial density of the explosive, `density`; $U$: `piston`; $L$: `length`
 
-Source: the problem "escape of HE products" of ExactPack (Dykema and others, UCRL-ID-147096); solution derived here.
+Source: the problem "escape of HE products" of ExactPack (Dykema and others, UCRL-ID-147096); solution derived for this project.
 """
 
 import numpy as np

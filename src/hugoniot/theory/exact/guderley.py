@@ -27,7 +27,7 @@ by bisection from the condition $v \to 2(b-1)/(d\gamma)$ at the centre.
 
 Implementation: the crossing of the characteristic is computed by Chebyshev collocation.
 
-Source: Guderley, Luftfahrtforschung 19 (1942) 302; Lazarus, SIAM J. Numer. Anal. 18 (1981) 316; equations derived here.
+Source: Guderley, Luftfahrtforschung 19 (1942) 302; Lazarus, SIAM J. Numer. Anal. 18 (1981) 316; equations derived for this project.
 """
 
 from functools import lru_cache

@@ -25,7 +25,7 @@ $$t = \frac1D\left[\sqrt{r_d^2 - R^2} + \sqrt{r^2 - R^2} + R\left(\theta - \arcc
 where $\theta$ is the angle between the detonator and the point, seen from the origin. Where the straight line to the detonator is clear,
 $t$ is its length divided by $D$.
 
-Source: Kenamond, HE burn-table verification problems (LA-UR-11-03096); ExactPack's kenamond1 to 3; paths derived here.
+Source: Kenamond, HE burn-table verification problems (LA-UR-11-03096); ExactPack's kenamond1 to 3; paths derived for this project.
 """
 
 import numpy as np

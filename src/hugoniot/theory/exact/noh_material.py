@@ -16,7 +16,7 @@ The four conditions are one equation for $D$. In planar flow the inflow may have
 In cylindrical and spherical flow the converging inflow must stay without pressure, which holds only for equations of state without
 pressure at zero energy, such as the ideal gas. Other materials are not supported there.
 
-Source: Noh, J. Comput. Phys. 72 (1987) 78; Ramsey, Boyd and Burnett, Shock Waves 27 (2017) 477 for general laws; derived here.
+Source: Noh, J. Comput. Phys. 72 (1987) 78; Ramsey, Boyd and Burnett, Shock Waves 27 (2017) 477 for general laws; derived for this project.
 """
 
 import numpy as np

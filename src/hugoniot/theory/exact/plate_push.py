@@ -27,7 +27,7 @@ $$A = \frac{1 + 2\mu}{1 + 2\nu}, \qquad \frac{v}{\sqrt{2E}} = \left[\mu + \nu A^
 
 The open sandwich has no tamper, $\nu = 0$.
 
-Source: Aziz, Hurwitz & Sternberg, Phys. Fluids 4 (1961) 380; Gurney, BRL Report 405 (1943); both derived here.
+Source: Aziz, Hurwitz & Sternberg, Phys. Fluids 4 (1961) 380; Gurney, BRL Report 405 (1943); both derived for this project.
 """
 
 import numpy as np

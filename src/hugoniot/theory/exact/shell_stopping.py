@@ -13,7 +13,7 @@ follows from $T = T_0 - W$ with the initial kinetic energy $T_0$, the stopping r
 a^{d-1}da/C$.
 
 Source: Verney, Evaluation of the plastic limit of metals under explosive shells (1968); Howell & Ball, J. Comput. Phys. 175 (2002)
-128; integrals derived here.
+128; integrals derived for this project.
 """
 
 import numpy as np

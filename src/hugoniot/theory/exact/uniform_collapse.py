@@ -12,7 +12,7 @@ $$u = -\frac{r}{t_c - t}, \qquad \rho = \rho_0\left(1 - \frac{t}{t_c}\right)^{-d
 
 The pressure is uniform, so nothing accelerates.
 
-Source: Noh, J. Comput. Phys. 72 (1987) 78 (his second problem, the uniform collapse); derived here for any equation of state.
+Source: Noh, J. Comput. Phys. 72 (1987) 78 (his second problem, the uniform collapse); derived for this project for any equation of state.
 """
 
 import numpy as np
