@@ -14,7 +14,7 @@ km/s) behind a piston at the CJ particle velocity:
 | $P_{init}$, GPa | 1 | 5 | 10 | 20 | 30 | 40 |
 |---|---|---|---|---|---|---|
 | speed with the integrator of the KB codes, km/s | 14.39 | 10.26 | 9.85 | 9.92 | 9.95 | 9.99 |
-| speed with the integrator `compatible`, km/s | 12.5 | 10.14 | 10.10 | 10.13 | 10.18 | 10.22 |
+| speed with the integrator `compatible`, km/s | 12.4 | 10.15 | 10.05 | 10.12 | 10.18 | 10.21 |
 
 The KB codes are those of Field Precision (2000). The first row uses their integrator, `shock_energy` for the unreacted explosive,
 `kb_two_sided` with coefficient 1 and a Courant number of 0.25. It is the same on 200 and 800 zones within 0.25 %, and changes by up to 3 %
