@@ -9,8 +9,8 @@ $$\frac{de}{dt} + p\,\frac{dv}{dt} = 0, \qquad \frac{d\lambda}{dt} = \dot\lambda
 * $d$: 1 planar, 2 cylindrical, 3 spherical; $x$: position or radius
 
 The bracket times $\rho$ is the derivative of the pressure with respect to the burn fraction at constant volume and energy, in every
-closure in which both phases have the pressure of the mixture; where pressures are weighted, that derivative is used itself. The term in $d$ is not in the
-source, and the source prints a plus for both signs of $\rho c$ (S-E4).
+closure in which both phases have the pressure of the mixture; where pressures are weighted, that derivative is used itself. The term in
+$d$ is not in the source, and the source prints a plus for both signs of $\rho c$ (S-E4).
 
 Source: Starkenberg, ARL-TR-2161, section 6.
 """

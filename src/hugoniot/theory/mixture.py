@@ -1,8 +1,8 @@
 """Reacting mixtures of any two equations of state: states, slopes, limits, adiabats and frozen Hugoniots.
 
 The closures for general use are `thermal_isolation` (equal pressures, the reactants on their isentrope) and `thermal_equilibrium` (equal
-pressures and temperatures); `weighted_pressures` and `two_state` are for comparison. Q is the chemical energy, which the energy of the reactants
-includes.
+pressures and temperatures); `weighted_pressures` and `two_state` are for comparison. Q is the chemical energy, which the energy of the
+reactants includes.
 
 Source: Starkenberg, ARL-TR-2161, sections 3 to 5 and appendix B, with the corrections S-E1 to S-E3 and S-E13.
 """
