@@ -104,12 +104,11 @@ EOS.add(
     meaning={"rho0": "reference density", "a": "Grüneisen parameter of the hot gas",
              "b": "Grüneisen parameter in the reference state minus `a`", "bulk_a": "A, bulk modulus in the reference state",
              "bulk_b": "B, coefficient of (rho/rho0 - 1)^2 in the pressure",
-             "alpha": "coefficient in "
-                      "exp(-alpha (rho0/rho - 1)^2), which in the formula for vapour multiplies every term except the one with `a`",
-             "beta": "coefficient in exp(-beta (rho0/rho - 1)), which in the formula for vapour multiplies the term with `A`",
-             "e0": "specific energy at which, at the reference density, "
-                   "the contribution of `b` to the Grüneisen parameter has fallen to `b`/2",
-             "e_incipient": "energy of incipient vaporisation", "e_complete": "energy of complete vaporisation"},
+             "alpha": "coefficient in exp(-alpha (rho0/rho - 1)^2), a factor of all terms of the vapour pressure except `a` rho e",
+             "beta": "coefficient in exp(-beta (rho0/rho - 1)), a further factor of the term with A in the vapour pressure",
+             "e0": "specific energy at which, at the reference density, the coefficient of rho e in the pressure has fallen "
+                   "from `a` + `b` to `a` + `b`/2",
+             "e_incipient": "specific energy of incipient vaporisation", "e_complete": "specific energy of complete vaporisation"},
     box={"rho": (2400.0, 7000.0), "e": (0.0, 5e7)},
     above={"e0": 0.0, "e_incipient": 0.0, "e_complete": 0.0},
     least={"alpha": 0.0, "beta": 0.0},
