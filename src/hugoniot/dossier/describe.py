@@ -65,8 +65,8 @@ def fit_lines(entry: Entry) -> list[str]:
             continue
         fit, (selection, _) = fits.recorded(identity), fits.RECORDED[identity]
         terms = [f"({_spread(c, d)}){what}" for c, d, what in zip(fit.coefficients, fit.deviations, ("", " up", " up^2"))]
-        lines.append(f"row {identity}: Us = {' + '.join(terms)} (m/s), fitted to {len(fit.points)} states ({selection.words}) with up from "
-                     f"{fit.least:.0f} to {fit.highest:.0f} m/s; their shock velocities deviate from it by "
+        lines.append(f"row {identity}: Us = {' + '.join(terms)} (m/s), fitted to {len(fit.points)} states ({selection.words}), "
+                     f"particle velocities from {fit.least:.0f} to {fit.highest:.0f} m/s; their shock velocities deviate from it by "
                      f"{fits.scatter(schema.row(identity)).deviation:.3g} m/s, root mean square")
     return lines
 

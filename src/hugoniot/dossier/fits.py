@@ -41,8 +41,8 @@ IRON = {"up_min": 1540.0, "porosity_below": 1.01}
 MAGNESIA = "Periclase MgO (single crystal)"
 # row id of the recorded fit -> (selection, degree)
 RECORDED = {
-    "U202": (Selection("Copper", words="all shock states of Marsh"), 1),
-    "U203": (Selection("Copper", words="all shock states of Marsh"), 2),
+    "U202": (Selection("Copper", words="shock states of Marsh except 3 from free surfaces"), 1),
+    "U203": (Selection("Copper", words="shock states of Marsh except 3 from free surfaces"), 2),
     "U204": (Selection("Water", words="all states of Marsh"), 1),
     "U205": (Selection("Water", words="all states of Marsh"), 2),
     "U206": (Selection("Iron", source=MARSH, up_max=3200.0, words="solid iron above the transition, Marsh only, to 3.2 km/s", **IRON), 1),
@@ -65,11 +65,11 @@ RECORDED = {
     "U226": (Selection("Germanium", up_min=1500.0, words="states above 1.5 km/s"), 1),
     "U227": (Selection("KCl", up_min=1300.0, words="states above the transition"), 1),
     "U228": (Selection(MAGNESIA, up_max=5500.0, words="states to 5.5 km/s"), 1),
-    "U229": (Selection(MAGNESIA, words="all states"), 1),
+    "U229": (Selection(MAGNESIA, words="all states except one in doubt"), 1),
     "U230": (Selection("Sodium", words="all states"), 1),
     "U231": (Selection("NiAl", words="all states"), 1),
-    "U232": (Selection("PMMA", up_min=500.0, up_max=2600.0, words="states 0.5 to 2.6 km/s"), 1),
-    "U233": (Selection("PMMA", up_min=2600.0, up_max=8000.0, words="states 2.6 to 8 km/s"), 1),
+    "U232": (Selection("PMMA", up_min=500.0, up_max=2600.0, words="states with up from 0.5 to 2.6 km/s"), 1),
+    "U233": (Selection("PMMA", up_min=2600.0, up_max=8000.0, words="states with up from 2.6 to 8 km/s"), 1),
     "U234": (Selection("PMMA", up_min=2600.0, words="states above 2.6 km/s"), 2),
     "U235": (Selection("Lead", words="all shock states of Marsh"), 1),
     "U236": (Selection("Platinum", words="all states"), 1),
@@ -87,7 +87,7 @@ RECORDED = {
 }
 _COPPER, _BERYLLIUM, _NICKEL, _LEAD = (RECORDED[i][0] for i in ("U202", "U223", "U218", "U235"))
 _TIN, _PLATINUM, _WATER, _IRON = (RECORDED[i][0] for i in ("U238", "U236", "U210", "U206"))
-_PMMA = Selection("PMMA", up_min=500.0, up_max=5500.0, words="states 0.5 to 5.5 km/s")
+_PMMA = Selection("PMMA", up_min=500.0, up_max=5500.0, words="states with up from 0.5 to 5.5 km/s")
 _VANADIUM = Selection("Vanadium", up_max=5000.0, words="states to 5 km/s")
 _TUNGSTEN, _STEEL, _ALUMINUM = (RECORDED[i][0] for i in ("U261", "U264", "U267"))
 _TANTALUM = Selection("Tantalum", up_max=2300.0, words="states to 2.3 km/s")

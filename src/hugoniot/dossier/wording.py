@@ -22,7 +22,7 @@ DERIVED = {
 _STATED = {
     "detonation.velocity": "detonation velocity stated with the constants", "detonation.pressure": "CJ pressure stated with the constants",
     "detonation.gurney_velocity": "Gurney velocity", "detonation.ignition_growth": "row with the constants of ignition and growth",
-    "valid_up_to": "highest particle velocity of the data",
+    "valid_up_to": "particle velocity at which the valid range ends",
 }
 _MODELS = {"SG": "Steinberg-Guinan", "JC": "Johnson-Cook"}
 _TABLES = {"jwlb": "JWLB detonation products", "ignition_growth": "ignition and growth", "ptw": "Preston-Tonks-Wallace",
@@ -106,8 +106,8 @@ def differences(about: dict) -> str:
     """How derived quantities differ from the material's own at low pressure, or from the constants of its strength law; empty where not."""
     found = []
     if about["data_begin"] and "bulk_sound_speed" in about["derived"]:
-        found.append(f"They describe the fitted law, whose data begin at a particle velocity of {about['data_begin']:g} m/s; the material "
-                     "itself has other sound speeds and elastic constants at low pressure.")
+        found.append(f"They describe the fitted law, whose data begin at a particle velocity of {about['data_begin']:g} m/s; at low "
+                     "pressure the real material has different sound speeds and elastic constants.")
     if about["laws"].get("strength") == "steinberg_guinan" and "shear_modulus" in about["derived"]:
         stated = {c["quantity"]: c["value"] for c in about["constants"]}
         ratio = about["derived"]["shear_modulus"]["value"] / stated["strength.shear_modulus"]
@@ -130,7 +130,9 @@ def digits(value: float, count: int = 4) -> str:
 def row_summary(row: Row) -> str:
     """The constants of a row in a few words, with the range of a Hugoniot and its mark."""
     if row.table == "us_up":
-        text = hugoniot_text(row) + (f", up to {row['up_max']:g} m/s" if "up_max" in row else ", range not stated")
+        density = f"density {row['rho0']:.5g} kg/m3, " if "rho0" in row else ""
+        reaches = f", for particle velocities up to {row['up_max']:g} m/s" if "up_max" in row else ", range not stated"
+        text = density + hugoniot_text(row) + reaches
     elif row.table == "compression":
         text = (f"density {row['rho0']:.5g} kg/m3, isothermal bulk modulus {row['bulk_modulus'] / 1e9:.4g} GPa with pressure derivative "
                 f"{row['bulk_modulus_slope']:g}")

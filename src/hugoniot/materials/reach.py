@@ -23,7 +23,7 @@ def reach(material: Material) -> str:
         return "a range of particle velocity does not apply to gases and detonation products"
     if material.valid_up_to is None:
         end = range_of_validity(material)
-        return f"not stated; estimated as a particle velocity of {rounded(end.up)}, {end.why}; a run beyond this limit gives a warning"
+        return f"not stated; a run gives a warning only above an estimated limit, a particle velocity of {rounded(end.up)}, {end.why}"
     found = f"particle velocity up to {format_si(material.valid_up_to, 'm/s')}"
     source = _range_source(material)
     if source is None:
@@ -57,8 +57,8 @@ def about(row: Row) -> str:
     """Where the range of a Us-up row comes from: measured states and how they scatter about its curve, or its source's statement."""
     if "states" in row:
         begin, end, deviation = (format_si(row[name], "m/s", d) for name, d in (("up_min", 6), ("up_max", 6), ("us_deviation", 3)))
-        return (f"the library has {row['states']:g} measured states, with particle velocities from {begin} to {end}; their shock "
-                f"velocities deviate from the curve of row {row.id} by {deviation}, root mean square")
+        return (f"compared with {row['states']:g} measured states of the library at particle velocities from {begin} to {end}: their "
+                f"shock velocities deviate from the curve of row {row.id} by {deviation}, root mean square")
     found = f"the range of the fit of row {row.id}" if row.status == "derived" else f"as stated by the source of row {row.id}"
     if "up_max" not in row or row.range_from():
         found = f"row {row.id}" + (f": {row.range_from()}" if row.range_from() else "")

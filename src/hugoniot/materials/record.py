@@ -12,13 +12,16 @@ MARKS = {"recalled": UNVERIFIED, "user": "user's own value", "corrected": "error
 # how a derived constant was found: what its note says first, after its row
 _FOUND = re.compile(r"row [A-Z]\d{3}: ((?:assumed|calibrated by|computed from|converted from|estimated|fitted by|highest of|mean of|set by|"
                     r"taken over from)[^;:,]*|assumed|estimated)")
+# what was corrected: the columns of the row, and what the file has
+_CORRECTED = re.compile(r"\bcorrected: [\w ]+ \((corrected: [^)]*)\)")
 
 
 def mark(status: str, note: str = "") -> str:
     """The word a surface shows beside a constant: empty for a verified one without doubt."""
     doubt = "doubtful" if "DOUBT" in note else "sources disagree" if "DISAGREES" in note else ""
-    said = _FOUND.match(note) if status == "derived" else None
-    return ", ".join(m for m in (said.group(1) if said else MARKS.get(status, ""), doubt) if m)
+    said = _FOUND.match(note) if status == "derived" else _CORRECTED.search(note) if status == "corrected" else None
+    found = said.group(1) if said else MARKS.get(status, "")
+    return ", ".join(m for m in (found, doubt) if m)
 
 
 def material_record(material: Material) -> list[dict]:

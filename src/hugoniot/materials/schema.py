@@ -31,6 +31,7 @@ TABLES = {
 }
 _PROVENANCE = ("id", "material", "source", "via", "status", "note")
 _OF_STATES = ("up_min", "up_max", "us_deviation")
+_CORRECTED = re.compile(r"corrected: (\w+(?: and \w+)*)")
 _CELL = re.compile(r"([A-Z]\d{3})\.([a-z][a-z0-9_]*)")
 
 
@@ -64,6 +65,8 @@ class Row:
             status = "derived"
         elif name in _OF_STATES and (found := self.range_from()):
             source, via, status = found, "us_up_points.csv" if "states" in self else "", "derived"
+        elif status == "corrected" and (said := _CORRECTED.match(self.note)) and name not in said.group(1).split(" and "):
+            status = "verified"      # of a row whose note names what was corrected, the other constants stand as in the file
         found = self._found(name) if status == "derived" else ""
         return Source(quantity or name, self.values[name], self.units[name], source, via, status,
                       "; ".join(t for t in (f"row {self.id}" + (f": {found}" if found else ""), self.note) if t))
@@ -75,7 +78,7 @@ class Row:
         if self.table != "us_up":
             return ""
         if name in _OF_STATES:
-            return "highest of the measured states" if name == "up_max" and "states" in self else ""
+            return "highest of the states compared" if name == "up_max" and "states" in self else ""
         if name == "rho0":
             another = re.search(r"\brow U\d{3}", self.via)
             return f"taken over from {another.group()}" if another else "mean of the measured states"
@@ -96,7 +99,7 @@ class Row:
     def range_from(self) -> str:
         """Where the range of a Us-up row comes from if not from its own source: measured states, or what its note says; else empty."""
         if "states" in self:
-            return f"range of the {self['states']:g} measured states of the library that row {self.id} is compared with"
+            return f"range of the {self['states']:g} measured states of the library with which row {self.id} is compared"
         said = re.search(r"\brange: (the (?:highest|range)[^;]*)", self.note)
         return said.group(1) if said else ""
 

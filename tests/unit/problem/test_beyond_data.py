@@ -58,7 +58,7 @@ def test_check_shows_the_estimated_range_of_a_decks_own_material(tmp_path, capsy
     (tmp_path / "deck.toml").write_text(FAST.format(velocity=300.0) + law)
     with pytest.raises(SystemExit):
         main(["check", str(tmp_path / "deck.toml")])
-    assert f"range of the data of own: not stated; estimated as a particle velocity of {words if end else ''}" in (shown := capsys.readouterr().out)
+    assert f"range of the data of own: not stated; a run gives a warning only above an estimated limit, a particle velocity of {words if end else ''}" in (shown := capsys.readouterr().out)
     assert words in shown
     with pytest.raises(SystemExit):
         main(["check", str(tmp_path / "deck.toml"), "--json"])
