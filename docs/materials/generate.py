@@ -118,7 +118,7 @@ def caption(about: dict, dashed: bool) -> str:
 def _first(about: dict) -> list[str]:
     """What the material is, which laws describe it, and in which range."""
     names = [f"`{a}`" for a in about["aliases"]]
-    also = f" The name{'s' if names[1:] else ''} {listing(names)} work{'' if names[1:] else 's'} too." if names else ""
+    also = f" The name{'s' if names[1:] else ''} {listing(names)} give{'' if names[1:] else 's'} the same material." if names else ""
     lines = [f"This page gives the laws and constants of the library's material *{cell(about['title'])}* (category: {about['category']}). "
              f"In a deck, write `material = \"{about['name']}\"`.{also}", ""]
     rows = rows_used(about["constants"])
@@ -133,7 +133,10 @@ def _first(about: dict) -> list[str]:
         lines.append(f"* {what[:1].upper() + what[1:]}: [`{law}`](../laws/{folder}/{law}.md). {sentence(text)}")
     if "does not apply" in about["reach"]:
         return [*lines, ""]
-    reach = about["reach"].replace("not stated; estimated as", "the sources state no range; its upper limit is estimated as")
+    reach = about["reach"].replace("not stated; a run", "the sources state no range. A run")
+    named = re.search(r"source of row (U\d{3})", reach)
+    if named and named[1] not in rows:
+        reach = reach.replace(named[0], f"{named[0]}, which this material does not use; see Remarks")
     return [*lines, "", f"**Valid range.** {sentence(reach)}", ""]
 
 
@@ -147,6 +150,8 @@ def _constants(about: dict) -> list[str]:
         lines += [f"### {GROUPS[group].capitalize()}", ""]
         if group == "rate":
             lines += [RATE.format(name=about["name"]), ""]
+        if group == "unreacted" and (said := _starts(constants)):
+            lines += [said, ""]
         if group == "detonation":
             stated = [constants[k]["quantity"] for k in members]
             lines += ["The laws do not use the Gurney velocity." if stated == ["detonation.gurney_velocity"] else
@@ -168,11 +173,21 @@ def _constants(about: dict) -> list[str]:
     return lines
 
 
+def _starts(constants: list[dict]) -> str:
+    """At which density a region of an explosive starts, where the constants of the two equations of state have different ones."""
+    rho0 = {c["quantity"]: c["value"] for c in constants if c["quantity"] in ("eos.rho0", "unreacted.rho0")}
+    products, unreacted = rho0.get("eos.rho0"), rho0.get("unreacted.rho0")
+    if products == unreacted:
+        return ""
+    return (f"Programmed burn does not use this equation of state: a region starts at {products:g} kg/m³, the density of the detonation "
+            f"products' constants. Calculations with the unreacted explosive start at {unreacted:g} kg/m³.")
+
+
 def _derived(about: dict) -> list[str]:
     if not about["derived"]:
         return []
     state = about["reference"]
-    at = [f"density {digits(state['density'])} kg/m³"]
+    at = [f"density {state['density']:.5g} kg/m³"]
     at += [f"temperature {state['temperature']:g} K"] if state["temperature"] is not None else []
     at.append("zero pressure" if abs(state["pressure"]) < 1e3 else f"pressure {state['pressure'] / 1e3:.4g} kPa")
     said = f"Computed from the constants above at the reference state ({', '.join(at)})."
@@ -193,7 +208,7 @@ def _others(about: dict) -> list[str]:
             for o in about["others"]]
     states = [o["row"] for o in about["others"] if o["family"] == "eos" and usable(o["row"])]
     use = "in a material file a row can supply the constants of a single law ([your own materials](../../materials/users.md))."
-    alone = f"An equation-of-state row can be used in a deck as a material in its own right, such as `material = \"{states[0]}\"`; {use}" \
+    alone = f"An equation-of-state row can be used in a deck as a material in its own right, as in `material = \"{states[0]}\"`; {use}" \
         if states else use[:1].upper() + use[1:]
     taken = {o["row"]: [f"`{c['quantity']}`" for c in about["constants"] if c["quantity"] != "valid_up_to" and rows_used([c]) == [o["row"]]]
              for o in about["others"]}

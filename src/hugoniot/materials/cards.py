@@ -11,7 +11,7 @@ from hugoniot.materials.material import Source
 from hugoniot.materials.schema import Row
 
 ROOM_TEMPERATURE = 298.15  # K, of the tables of specific heats
-REST_TEMPERATURE = 298.0  # K, at which sets of unreacted explosives are meant to have zero pressure
+REST_TEMPERATURE = 298.0  # K, at which sets of unreacted explosives are taken to have zero pressure
 UNIVERSAL_GAS_CONSTANT = 8.31446261815324  # J/(mol K), exact in the SI of 2019
 Card = dict[str, Source | str]
 
@@ -155,8 +155,8 @@ def _unreacted(row: Row, prefix: str, heat_column: str) -> Card:
     heat = row.constant(heat_column, "specific_heat")
     found["specific_heat"] = replace(heat, value=heat.value / row["rho0"], unit="J/kg/K")
     found["reference_temperature"] = Source(
-        "reference_temperature", REST_TEMPERATURE, "K", "assumed: the temperature at which calibrations of unreacted explosives "
-        "are meant to have zero pressure", "", "derived", f"row {row.id}: assumed, because the row states none")
+        "reference_temperature", REST_TEMPERATURE, "K", "assumed by hugoniot: the temperature at which an unreacted explosive "
+        "has zero pressure at its reference density", "", "derived", f"row {row.id}: assumed, because the row states none")
     return found
 
 
