@@ -180,7 +180,7 @@ def _starts(constants: list[dict]) -> str:
     if products == unreacted:
         return ""
     return (f"Programmed burn does not use this equation of state: a region starts at {products:g} kg/m³, the density of the detonation "
-            f"products' constants. Calculations with the unreacted explosive start at {unreacted:g} kg/m³.")
+            f"products' constants. Calculations that do use it start at {unreacted:g} kg/m³.")
 
 
 def _derived(about: dict) -> list[str]:
