@@ -207,5 +207,5 @@ def test_more_than_the_law_can_do():
     case = jordan.CONDENSED["silica_770"]   # s < 1: Us falls to up at 1798 m/s (J-E16)
     with pytest.raises((OutOfRange, NoSolution), match="has no such shock"):
         steady(case.eos(), case.transport(), particle_velocity=1800.0)
-    with pytest.raises(OutOfRange, match="ends at zero specific volume, where the shock runs no faster than the material behind it, pressure"):
+    with pytest.raises(OutOfRange, match="where the specific volume would be zero"):
         steady(EOS.get("tait").example, case.transport(), mach=20.0)

@@ -11,7 +11,9 @@ from hugoniot.output.run_numbers import highest
 
 DECK = f"""title = "Plate on plate"
 stop_time = "1.2 us"
-{impact(20, 40)}{EOS}{gauge("mid-target", "4 mm")}\
+{impact(20, 40)}{EOS}[material.al]
+library = "aluminum_6061"
+{gauge("mid-target", "4 mm")}\
 [solver]
 kind = "KIND"
 """

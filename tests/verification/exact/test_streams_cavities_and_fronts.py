@@ -362,7 +362,7 @@ def test_large_sticks_lose_velocity_like_the_square_of_the_radius():
 
 
 def test_too_thin_a_slab_fails():
-    with pytest.raises(NoSolution, match="fails in slabs below"):
+    with pytest.raises(NoSolution, match="fails in slabs of a half-width below"):
         SOLUTIONS["dsd_rate_stick"]("planar", 8000.0, 1e-2, 0.005, 60.0)
 
 
