@@ -97,7 +97,7 @@ def number(query: Query, key: str, otherwise: float | None = None) -> float:
     try:
         value = float(query[key]) if key in query or otherwise is None else otherwise
     except (KeyError, ValueError):
-        raise OutOfRange(f"{key}: must be a number") from None
+        raise OutOfRange(f"{key}: expected a number, got {str(query.get(key))[:40]!r}") from None
     if not abs(value) < 1e300:
         raise OutOfRange(f"{key}: must be a finite number")
     return value

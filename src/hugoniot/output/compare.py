@@ -118,8 +118,12 @@ def read_table(path) -> list[Record]:
             except ValueError:
                 raise _table_error(path, n, heads[c][0], f"'{cell.strip()[:40]}' is not a number",
                                    "write a number in the unit of the header") from None
-    if not np.all(np.isfinite(rows)) or np.any(np.diff(rows[:, 0]) <= 0):
-        raise _table_error(path, None, heads[0][0], "the times must increase, and every value must be a finite number")
+    if not np.all(np.isfinite(rows)):
+        k, c = np.argwhere(~np.isfinite(rows))[0]
+        raise _table_error(path, lines[k + 1][0], heads[c][0], "not a finite number")
+    if (late := np.flatnonzero(np.diff(rows[:, 0]) <= 0)).size:
+        raise _table_error(path, lines[late[0] + 2][0], heads[0][0], "the time is not later than that of the line before",
+                           "sort the lines by time")
     return [_record(name, unit, rows[:, 0], rows[:, c + 1]) for c, (name, unit, _) in enumerate(heads[1:])]
 
 

@@ -103,11 +103,11 @@ class Expression:
         except Trouble:
             raise
         except (ArithmeticError, ValueError):       # ValueError: outside the domain of a function of `math`
-            raise Trouble(f"'{printable(self.text, 60)}' has no finite value") from None
+            raise Trouble(f"'{printable(self.text, 60)}' does not give a finite number") from None
         except RecursionError:
             raise Trouble(f"'{printable(self.text, 60)}' is nested too deeply") from None
         if not math.isfinite(found.value):
-            raise Trouble(f"'{printable(self.text, 60)}' has no finite value")
+            raise Trouble(f"'{printable(self.text, 60)}' does not give a finite number")
         return found
 
     def _work_out(self, node: ast.AST, lookup) -> Number:

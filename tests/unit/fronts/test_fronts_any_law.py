@@ -86,7 +86,7 @@ def test_a_state_without_waves_at_the_start_is_told_with_a_remedy():
     problem = pushed(law, "algebraic")
     far = Problem("far", "planar", 1e-6, (Region("layer", "m", 0.0, 0.01, 4, velocity=-3e4),), problem.materials, FIXED, FIXED,
                   solver=problem.solver)
-    with pytest.raises(UnphysicalState, match="where the first waves leave") as stopped:
+    with pytest.raises(UnphysicalState, match="where the first waves start") as stopped:
         make_solver(far)
     assert stopped.value.remedy
 

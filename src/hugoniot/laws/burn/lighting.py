@@ -28,7 +28,7 @@ def lighting_times(edges, detonators, detonation_velocity: float) -> np.ndarray:
     first = np.full(low.shape, np.inf)
     for position, time in detonators:
         if not edges[0] <= position <= edges[-1]:
-            raise OutOfRange(f"the lighting point at {position:.6g} m lies outside the explosive, which reaches from {edges[0]:.6g} "
+            raise OutOfRange(f"the lighting point at {position:.6g} m lies outside the explosive, which extends from {edges[0]:.6g} "
                              f"to {edges[-1]:.6g} m: move it inside")
         distance = np.maximum(np.maximum(low - position, position - high), 0.0)
         first = np.minimum(first, time + distance / detonation_velocity)

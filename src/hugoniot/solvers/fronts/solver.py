@@ -36,7 +36,7 @@ class Fronts(Reading):
         try:
             pieces, fronts = setup.first_line(problem, self.bench)
         except (HugoniotError, ArithmeticError, ValueError) as error:
-            raise setup.unsolved(error, "where the first waves leave") from error
+            raise setup.unsolved(error, "where the first waves start") from error
         self.line = Line(pieces, fronts, self.bench, self.length, self._log, int(setup.options_of(problem)["most_fronts"]))
         self.lives = Lives()
         self.lives.note(self.line.fronts, self.line.pieces, 0.0)

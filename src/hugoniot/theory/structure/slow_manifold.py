@@ -35,7 +35,8 @@ def slow_manifold(rates, tolerance: float):
             return lambda y, q=q: y * (1.0 - y) * float(chebyshev.chebval(2.0 * y - 1.0, q))
         if tail > _SLOW * before:
             break
-    raise NoSolution("the trajectory of this stiff shock is not smooth; check the transport law between its ends")
+    raise NoSolution("no smooth profile was found for this shock, whose equations are stiff; check that viscosity and conductivity vary "
+                     "smoothly between the states ahead of and behind it")
 
 
 def _quasi_steady(rates, y):

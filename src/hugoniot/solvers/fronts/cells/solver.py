@@ -50,7 +50,7 @@ class Cells(Reading):
         try:
             self.changes.begin(self.mesh, [point.position for point in problem.lighting if point.time <= 0.0])
         except (HugoniotError, ArithmeticError, ValueError) as error:
-            raise setup.unsolved(error, "where the first waves leave") from error
+            raise setup.unsolved(error, "where the first waves start") from error
         self._sample_first()
 
     def _sample_first(self) -> None:
