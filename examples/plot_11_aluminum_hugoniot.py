@@ -23,7 +23,7 @@ up, p = reach.particle_velocity / 1e3, reach.pressure / 1e9
 known = up <= limit
 
 # %%
-# Left: up to the state of the manual. Right: the range of the data, with Rayleigh lines (black) to three states. The slope of a
+# Left: up to the state given in the manual. Right: the range of the data, with Rayleigh lines (black) to three states. The slope of a
 # Rayleigh line is the initial density times the shock velocity Us.
 fig, (ax, near) = plt.subplots(1, 2, figsize=(7.4, 3.6), layout="constrained", width_ratios=(1.2, 1))
 ax.plot(up[known], p[known], color=COLOURS[0])

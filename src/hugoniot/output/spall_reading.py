@@ -147,8 +147,7 @@ def _eroded(numbers: dict[str, float]) -> str:
         return ""
     part = numbers["pull_back_lost"] / numbers["pull_back"]
     return ("the acoustic strength is a lower bound: "
-            f"the erosion of the pull-back by the elastic front is estimated at up to {part:.0%} of its size, too much for "
-            "Kanel's correction")
+            f"the elastic front may have eroded the pull-back by up to {part:.0%} of the value recorded, too much for Kanel's correction")
 
 
 def _overtaken(record: Record, found: PullBack, body: dict, opened: float, numbers: dict[str, float]) -> str:

@@ -9,8 +9,9 @@ $$\frac{de}{dt} + p\,\frac{dv}{dt} = 0, \qquad \frac{d\lambda}{dt} = \dot\lambda
 * $d$: 1 planar, 2 cylindrical, 3 spherical; $x$: position or radius
 
 The bracket times $\rho$ is the derivative of the pressure with respect to the burn fraction at constant volume and energy, in every
-closure in which both phases have the pressure of the mixture; where pressures are weighted, that derivative is used itself. The term in
-$d$ is not in the source, and the source prints a plus for both signs of $\rho c$ (S-E4).
+closure in which both phases have the pressure of the mixture; where the pressure is a weighted mean of those of the phases, that
+derivative takes the place of the bracket. The term in $d$ is not in the source, and the source prints $+\rho c\,du/dt$ on both
+characteristics (S-E4).
 
 Source: Starkenberg, ARL-TR-2161, section 6.
 """
@@ -22,7 +23,7 @@ from hugoniot.theory.mixture import MixtureState
 
 
 def reaction_source(state: MixtureState, rate):
-    """The term of the reaction on the right-hand side, Pa/s.
+    """The reaction term on the right-hand side, Pa/s.
 
     state   a `MixtureState`
     rate    d(burn fraction)/dt, 1/s
@@ -37,12 +38,12 @@ def reaction_source(state: MixtureState, rate):
 
 
 def thermicity(state: MixtureState, rate):
-    """The term of the reaction divided by rho c^2, 1/s (sigma times the rate in the literature on detonations)."""
+    """The reaction term divided by rho c^2, 1/s (sigma times the rate in the literature on detonations)."""
     return reaction_source(state, rate) * state.density / state.impedance_squared
 
 
 def geometric_source(state: MixtureState, velocity, position, dimension: int):
-    """The term of the geometry, -(d - 1) rho c^2 u/x, Pa/s.
+    """The geometric term, -(d - 1) rho c^2 u/x, Pa/s.
 
     velocity    u, m/s
     position    x, m

@@ -4,7 +4,7 @@ $$q = C\,\rho\,(\Delta u)^2$$
 
 * $q$: viscous pressure; it is added to the pressure of a zone under compression, and is zero in a zone that expands
 * $\rho$: density; $\Delta u$: velocity difference across the zone
-* $C$: `quadratic`, not squared
+* $C$: `quadratic`, the coefficient; the formula has $C$, not $C^2$
 
 The manual of the KB codes (Field Precision, 2000) prints $C\rho|\Delta u|(-\Delta u)$, which also acts in expansion (K-E6); the law
 `kb_two_sided` has this form. The law `kb` has no linear term, so oscillations behind a shock decay slowly.

@@ -4,7 +4,7 @@ $$q = -C\,\rho\,|\Delta u|\,\Delta u$$
 
 * $q$: viscous pressure, added to the pressure of the zone
 * $\rho$: density; $\Delta u$: velocity difference across the zone, negative in compression
-* $C$: `quadratic`, not squared
+* $C$: `quadratic`, the coefficient; the formula has $C$, not $C^2$
 
 In expansion $q < 0$. This tension converts motion into heat where the flow is smooth (K-E6), so releases are too warm and too slow.
 Use this law only to reproduce results of the KB codes (Field Precision, 2000), whose threshold burn depends on it, and `kb` for anything

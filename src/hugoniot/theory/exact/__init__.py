@@ -2,7 +2,7 @@
 
 `SOLUTIONS[name](**parameters)` gives a `Solution`; the first line of its docstring says what it is (`describe`), and its rows `name
 meaning` describe the parameters. Problems with fixed parameters (Sod, LeBlanc, ...) are entries like the general solutions from which
-they are made. Two entries give data instead: `woodward_colella` (reference numbers) and `kenamond` (functions that give burn times).
+they are made. Two entries give data instead: `woodward_colella` (reference values) and `kenamond` (functions that give burn times).
 """
 
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""Two interacting blast waves (Woodward & Colella): reference numbers of a problem without a closed solution.
+"""Two interacting blast waves (Woodward & Colella): reference values for a problem without a closed-form solution.
 
 They test a solver in the collision of strong shocks, with narrow peaks of the density.
 
@@ -7,7 +7,7 @@ to x = 0.9 and 100 beyond. The numbers are for the time 0.038, computed with a s
 position of the right shock still changed from 0.8647 to 0.8653 between 1600 and 3200 zones, and the peak density depends on the method
 (6.4 to 7.2).
 
-Source: the problem of Woodward & Colella, J. Comput. Phys. 54 (1984) 115; numbers of the project's own reference run.
+Source: the problem of Woodward & Colella, J. Comput. Phys. 54 (1984) 115; values from the project's own reference run.
 """
 
 from typing import NamedTuple
@@ -38,9 +38,9 @@ def initial(positions) -> dict[str, np.ndarray]:
 
 
 def woodward_colella() -> Reference:
-    """Interacting blast waves: reference numbers at the time 0.038.
+    """Interacting blast waves: reference values at the time 0.038.
 
     Numbers: time, contacts (positions of two contacts), spike (position of the density peak), right_shock and its uncertainty, and the
-    density at some positions. There are no fields.
+    density at some positions. No profiles are given.
     """
     return REFERENCE
