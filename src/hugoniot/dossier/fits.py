@@ -37,6 +37,7 @@ class Selection:
 
 MARSH = "S. P. Marsh"
 # Above 1540 m/s iron is past its alpha-epsilon transition and the region where both phases are present.
+DENSE = "initially non-porous iron above the alpha-epsilon region"
 IRON = {"up_min": 1540.0, "porosity_below": 1.01}
 MAGNESIA = "Periclase MgO (single crystal)"
 # row id of the recorded fit -> (selection, degree)
@@ -45,10 +46,10 @@ RECORDED = {
     "U203": (Selection("Copper", words="shock states of Marsh except 3 from free surfaces"), 2),
     "U204": (Selection("Water", words="all states of Marsh"), 1),
     "U205": (Selection("Water", words="all states of Marsh"), 2),
-    "U206": (Selection("Iron", source=MARSH, up_max=3200.0, words="solid iron above the transition, Marsh only, to 3.2 km/s", **IRON), 1),
-    "U207": (Selection("Iron", up_max=5000.0, words="solid iron above the transition, to 5 km/s", **IRON), 1),
-    "U208": (Selection("Iron", source=MARSH, up_max=3200.0, words="solid iron above the transition, Marsh only, to 3.2 km/s", **IRON), 2),
-    "U209": (Selection("Iron", up_max=10000.0, words="solid iron above the transition, to 10 km/s", **IRON), 2),
+    "U206": (Selection("Iron", source=MARSH, up_max=3200.0, words=f"{DENSE}, Marsh only", **IRON), 1),
+    "U207": (Selection("Iron", up_max=5000.0, words=f"{DENSE}, to 5 km/s", **IRON), 1),
+    "U208": (Selection("Iron", source=MARSH, up_max=3200.0, words=f"{DENSE}, Marsh only", **IRON), 2),
+    "U209": (Selection("Iron", up_max=10000.0, words=f"{DENSE}, to 10 km/s", **IRON), 2),
     "U210": (Selection("Water", up_max=2600.0, words="states of Marsh to 2.6 km/s"), 1),
     "U211": (Selection("Basalt, Vacaville (rho 2860)", up_min=2000.0, words="states above 2 km/s"), 1),
     "U212": (Selection("Fused silica", words="all states"), 1),
