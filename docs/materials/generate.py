@@ -179,8 +179,8 @@ def _starts(constants: list[dict]) -> str:
     products, unreacted = rho0.get("eos.rho0"), rho0.get("unreacted.rho0")
     if products == unreacted:
         return ""
-    return (f"Programmed burn does not use this equation of state: a region starts at {products:g} kg/m³, the density of the detonation "
-            f"products' constants. Calculations that do use it start at {unreacted:g} kg/m³.")
+    return (f"Programmed burn does not use this equation of state: a region starts at {products:g} kg/m³, the initial density for "
+            f"which the constants of the detonation products hold. Calculations that do use it start at {unreacted:g} kg/m³.")
 
 
 def _derived(about: dict) -> list[str]:
