@@ -79,12 +79,12 @@ RECORDED = {
     "U239": (Selection("Vanadium", words="all states"), 2),
     "U240": (Selection("Polystyrene", words="states from laser-driven shocks above 7 km/s"), 1),
     "U261": (Selection("Tungsten", up_max=4000.0, words="states of the rusbank database to 4 km/s"), 1),
-    "U262": (Selection("Tungsten", words="all states of the rusbank database"), 2),
-    "U263": (Selection("Tantalum", words="all states of the rusbank database"), 1),
-    "U264": (Selection("Stainless steel 304", words="all states of the rusbank database"), 1),
-    "U265": (Selection("LiF", words="all states of the rusbank database"), 1),
-    "U266": (Selection("Ice", words="all states of the rusbank database"), 1),
-    "U267": (Selection("Aluminum 6061", words="all states of the rusbank database"), 1),
+    "U262": (Selection("Tungsten", words="all that the rusbank database lists"), 2),
+    "U263": (Selection("Tantalum", words="all that the rusbank database lists"), 1),
+    "U264": (Selection("Stainless steel 304", words="all that the rusbank database lists"), 1),
+    "U265": (Selection("LiF", words="all that the rusbank database lists"), 1),
+    "U266": (Selection("Ice", words="all that the rusbank database lists"), 1),
+    "U267": (Selection("Aluminum 6061", words="all that the rusbank database lists"), 1),
 }
 _COPPER, _BERYLLIUM, _NICKEL, _LEAD = (RECORDED[i][0] for i in ("U202", "U223", "U218", "U235"))
 _TIN, _PLATINUM, _WATER, _IRON = (RECORDED[i][0] for i in ("U238", "U236", "U210", "U206"))
