@@ -70,9 +70,9 @@ def marks(row: Row) -> tuple[str, ...]:
     """Sentences to show wherever the row is used; empty for a row without blemish."""
     found = list(row.marks)
     if "states" in row and row["us_deviation"] > SCATTER_LIMIT * (row["c0"] + row["s"] * 0.5 * (row["up_min"] + row["up_max"])):
-        found.append(f"{row.title} misses the measured states: its shock velocities deviate by {row['us_deviation']:.0f} m/s (root mean square) "
-                     f"from the {row['states']:g} states that the library compares it with (particle velocities from {row['up_min']:g} to "
-                     f"{row['up_max']:g} m/s)")
+        found.append(f"{row.title} misses the measured states: its shock velocities deviate by {row['us_deviation']:.0f} m/s "
+                     f"(root mean square) from the {row['states']:g} states that the library compares it with (particle "
+                     f"velocities from {row['up_min']:g} to {row['up_max']:g} m/s)")
     if row.table == "jwl" and row["role"] == "products":
         state = recorded_closure(row)
         if state is not None and not state.closes:
