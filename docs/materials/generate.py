@@ -12,7 +12,7 @@ import matplotlib
 
 from hugoniot.dossier.curves import comparison, measured
 from hugoniot.dossier.describe import described, summary
-from hugoniot.dossier.wording import DERIVED, GROUPS, differences, digits, grouped, numbered, where_read
+from hugoniot.dossier.wording import DERIVED, GROUPS, differences, digits, grouped, numbered, reference_name, where_read
 from hugoniot.errors import HugoniotError
 from hugoniot.materials import cards, library, schema
 from hugoniot.materials.tables import families
@@ -190,7 +190,7 @@ def _derived(about: dict) -> list[str]:
     at = [f"density {state['density']:.5g} kg/m³"]
     at += [f"temperature {state['temperature']:g} K"] if state["temperature"] is not None else []
     at.append("zero pressure" if abs(state["pressure"]) < 1e3 else f"pressure {state['pressure'] / 1e3:.4g} kPa")
-    said = f"Computed from the constants above at the reference state ({', '.join(at)})."
+    said = f"Computed from the constants above at the {reference_name(about)} ({', '.join(at)})."
     if "cj_velocity" in about["derived"]:
         said = "The Chapman-Jouguet (CJ) state computed from the constants of the detonation products"
         said += ", and the sound speed of the unreacted explosive." if "unreacted_sound_speed" in about["derived"] else "."

@@ -266,7 +266,7 @@ def _summary(as_json: bool) -> None:
 
 
 def _echo_material(about: dict) -> None:
-    from hugoniot.dossier.wording import DERIVED, GROUPS, differences, digits, grouped, numbered, where_read
+    from hugoniot.dossier.wording import DERIVED, GROUPS, differences, digits, grouped, numbered, reference_name, where_read
 
     typer.echo(f"{about['title']}  [{about['name']}, {about['category']}]")
     if about["aliases"]:
@@ -291,8 +291,8 @@ def _echo_material(about: dict) -> None:
             scale, unit = SHOWN.get(q["unit"], (1.0, q["unit"]))
             cells.append((DERIVED[key], digits(q["value"] / scale), "" if unit == "1" else unit, q["meaning"]))
         warm = f", temperature {state['temperature']:g} K" if state["temperature"] is not None else ""
-        where = f"density {state['density']:.5g} kg/m3{warm}"
-        typer.echo(f"\nderived quantities ({'CJ state' if 'cj_velocity' in about['derived'] else f'at the reference state, {where}'}):")
+        where = f"at the {reference_name(about)}, density {state['density']:.5g} kg/m3{warm}"
+        typer.echo(f"\nderived quantities ({'CJ state' if 'cj_velocity' in about['derived'] else where}):")
         echo_table(["quantity", "value", "unit", "how it is computed"], cells)
         if differences(about):
             typer.echo(differences(about))

@@ -99,7 +99,14 @@ def _meanings(registry, par) -> dict[str, str]:
         inner = getattr(par, name)
         if registry.knows(inner):
             found |= {f"{name}.{key}": text for key, text in _meanings(registry, inner).items()}
+    if "alpha0" in getattr(par, "_fields", ()) and "base.rho0" in found:
+        found["base.rho0"] = "reference density of the solid"
     return found
+
+
+def reference_name(about: dict) -> str:
+    """What to call the state that derived quantities refer to: a porous material does not start at the reference density of its solid."""
+    return "initial state of the porous material" if "eos.base.rho0" in about["meanings"] else "reference state"
 
 
 def differences(about: dict) -> str:
