@@ -114,7 +114,7 @@ WRITTEN = {
 WHERE_SET = {
     "reactants": "the table `unreacted` of the material", "products": "the table `eos` of the material",
     "detonation_energy": "the key `detonation_energy` of the material; default: the energy that the equation of state of the "
-                         "products assigns to its reference state, minus the same of the reactants",
+                         "products assigns to its reference state, minus the corresponding energy of the reactants",
     "reactant_density_limit": "the equation of state itself", "product_density_limit": "the equation of state itself",
     "nascent_limit": "the solver: 1e-3 with `lagrange1d` and `lagrange2d`, 1e-4 with `fronts`; 1e-6 in the tools without a mesh",
 }

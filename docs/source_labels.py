@@ -21,7 +21,7 @@ def explained(lines: list[str], errors: str) -> list[str]:
     listed = f"[errors in the printed sources]({errors})"
     if found:
         subject = f"{found[0]} refers" if len(found) == 1 else f"Labels such as {found[0]} refer"
-        return [text, f"{subject} to the list of {listed}, which also names the documents.", ""]
+        return [text, f"{subject} to the list of {listed}, which also identifies the source documents.", ""]
     cited = [name for name, pattern in _SHORT.items() if re.search(pattern, text)]
     names = " and ".join(cited)
-    return [text, *([f"The list of {listed} names the document{'s' if cited[1:] else ''} cited as {names}.", ""] if cited else [])]
+    return [text, *([f"For the document{'s' if cited[1:] else ''} cited as {names}, see the list of {listed}.", ""] if cited else [])]
