@@ -1,4 +1,4 @@
-r"""Fits: shock against particle velocity with error bars, JWL from a CJ state and an expansion curve, Jordan's adjusted Gamma.
+r"""Fits: shock velocity against particle velocity with error bars, JWL from a CJ state and an expansion curve, Jordan's adjusted Gamma.
 
 **Us-up.** A least-squares fit of $U_s = \sum_k a_k u_p^k$, linear or quadratic, with the covariance of the coefficients $a_k$ and the
 standard deviation of the points about the curve. Beyond the highest measured $u_p$ the fit extrapolates.
@@ -110,8 +110,8 @@ def read_points(path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def read_expansion(path) -> tuple[np.ndarray, np.ndarray]:
-    """Relative volumes V = v/v0 and pressures (Pa) of an expansion isentrope from a CSV file with the columns volume and pressure, as
-    `read_points`."""
+    """Relative volumes V = v/v0 and pressures (Pa) of an expansion isentrope from a CSV file with the columns volume and pressure, in
+    the format described under `read_points`; a pressure without a unit is in Pa."""
     volumes, pressures = read_columns(path, _EXPANSION, "relative volumes and pressures")
     return volumes, pressures
 
@@ -282,12 +282,13 @@ def adjusted_gamma(rho0: float, c0: float, s: float, up: float, gamma: float, *,
     c0, s      constants of the linear Us-up relation, c0 in m/s
     up         particle velocity of the shock state, m/s
     gamma      Grüneisen parameter from the literature
-    pressure   pressure ahead P0, Pa
+    pressure   pressure P0 ahead of the shock, Pa
 
     $$g = \frac{P_s - \rho_0c_0^2(x + 2sx^2 + 3s^2x^3)}{\rho_se_s - \rho_0c_0^2(x^2/2 + sx^3)}, \qquad x = u_p/U_s, \quad
       P_s = \rho_0U_su_p + P_0, \quad e_s = \frac{P_0}{\gamma\rho_0} + \frac{(P_s + P_0)x}{2\rho_0}$$
 
-    with the index s for the shocked state. An equation of state whose reference curve is the exact Hugoniot needs no adjustment.
+    where $g$ is the adjusted and $\gamma$ the given Grüneisen parameter; the subscript $s$ denotes the shocked state, and the factor $s$ is
+    the slope of the Us-up relation. An equation of state whose reference curve is the exact Hugoniot needs no adjustment.
     """
     us, behind, density, energy = shocked_state(rho0, c0, s, up, gamma, pressure)
     x, modulus = up / us, rho0 * c0 * c0
@@ -307,7 +308,7 @@ def shocked_state(rho0: float, c0: float, s: float, up: float, gamma: float, pre
 
 
 def truncated_pressure(rho0: float, c0: float, s: float, gamma: float, density: float, energy: float) -> float:
-    """Pressure (Pa) of Jordan's truncated equation of state: the cubic of the cold curve and gamma rho e, at a density (kg/m3) and an
-    energy (J/kg)."""
+    """Pressure (Pa) of Jordan's truncated equation of state: the sum of the cubic cold curve and gamma rho e, at a density (kg/m3) and
+    an energy (J/kg)."""
     x = 1.0 - rho0 / density
     return rho0 * c0 * c0 * (x + (2.0 * s - 0.5 * gamma) * x**2 + s * (3.0 * s - gamma) * x**3) + gamma * density * energy
