@@ -62,7 +62,7 @@ def points_of(text: str, where: str, width: int | None) -> np.ndarray:
     rows = [[quantity(part.strip(), "m", where) for part in point.split(",")] for point in text.split(";")]
     size = width or len(rows[0])
     if any(len(row) != size for row in rows) or size not in (2, 3):
-        raise DeckError.single("command line", None, where, f"'{text[:60]}' is not a list of points of {size} coordinates each",
+        raise DeckError.single("command line", None, where, f"'{text[:60]}' is not a list of points with {size} coordinates each",
                                'write "0, 4 m; 3 m, 2 m"')
     return np.array(rows)
 

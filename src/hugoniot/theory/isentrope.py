@@ -70,7 +70,7 @@ def state(material, velocity: float = 0.0, **given) -> States:
     given      at most two of density (kg/m3), pressure (Pa), energy (J/kg), temperature (K). None: the reference state; density alone:
                zero pressure; one of the others alone: the reference density
 
-    Returns `States` of numbers. Raises `OutOfRange` for a state that the material cannot have.
+    Returns `States` whose fields are numbers. Raises `OutOfRange` for a state that the material cannot have.
     """
     par = law_of(material)
     if stray := set(given) - {"density", "pressure", "energy", "temperature"}:
@@ -100,7 +100,7 @@ def state(material, velocity: float = 0.0, **given) -> States:
 def release(material, start: States, to: float = 0.0, *, direction: int = -1, points: int = 1) -> States:
     """States on the release isentrope from a state down to a pressure.
 
-    material    a `Material`, or the parameters of an equation of state; a porous law releases with the compaction that was reached
+    material    a `Material`, or the parameters of an equation of state; a porous material is released at the compaction it has reached
     start       a single state
     to          final pressure, Pa
     direction   -1: the release runs towards -x, as from a free surface on the right; +1: towards +x
@@ -168,13 +168,13 @@ def elastic(par) -> Any:
 
 
 def unload(material, start: States, *, direction: int, **given) -> States:
-    """The isentrope through a state, as `isentrope`; crushed pores are released elastically, and the states keep that history."""
+    """The isentrope through a state, as `isentrope`; a material with crushed pores unloads elastically, and stays crushed."""
     kept = history(material, start)
     return replace(isentrope(elastic(kept), start, direction=direction, **given), par=kept)
 
 
 def escape(material, start: States) -> float:
-    r"""Velocity gained by expansion from a state into vacuum, m/s: $\int_0^\rho c\,d\ln\rho$, for materials that become a gas when thin.
+    r"""Velocity gained by expansion from a state into vacuum, m/s: $\int_0^\rho c\,d\ln\rho$, for what becomes a gas at low density.
 
     Raises OutOfRange for an equation of state with zero pressure at a finite density (a condensed material).
     """

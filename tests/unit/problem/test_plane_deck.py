@@ -249,7 +249,7 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
     ('[solver]', '[[block]]\nname = "cap"\nmaterial = "copper"\nshape = "edges"\nzones = [4, 4]\nleft = {polyline = [[1, 1], [3.8, 1.5], [1, 2]]}\nright = {line = [[2, 1], [2, 2]]}\nbottom = {line = [[1, 1], [2, 1]]}\ntop = {line = [[1, 2], [2, 2]]}\n[solver]', 20, 'block.cap.shape', 'folded corner'),
     ('[solver]', '[[gauge]]\nname = "g"\non = "bar.rigt"\n[solver]', 19, 'gauge.g.on', "did you mean 'bar.right'"),
     ('[solver]', '[[gauge]]\nname = "g"\n[solver]', 17, 'gauge.g', 'for example at'),
-    ('[solver]', '[[rigid]]\nname = "floor"\npoints = [["0 mm", "1 mm"], ["5 mm", "1 mm"]]\n[solver]', 19, 'rigid[1].points', 'bodies may touch at the start'),
+    ('[solver]', '[[rigid]]\nname = "floor"\npoints = [["0 mm", "1 mm"], ["5 mm", "1 mm"]]\n[solver]', 19, 'rigid[1].points', 'at the start bodies may touch, but not overlap'),
     ('[solver]', '[[region]]\nname = "a"\n[solver]', 17, 'region', 'known: block'),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\nscheme = "aw"', 19, 'solver.scheme', "expected 'true_volume' or 'area_weighted'"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncourant = 3', 19, 'solver.courant', 'the limit is 1'),

@@ -1,4 +1,4 @@
-r"""Mie-Grüneisen equation of state with Steinberg's cubic shock Hugoniot as reference curve, for solids whose Us-up relation is curved.
+r"""Mie-Grüneisen equation of state with Steinberg's cubic shock Hugoniot as reference curve, for curved Us-up relations.
 
 The Hugoniot is a polynomial in $u_p/U_s$, which equals the compression $\eta = 1 - \rho_0/\rho$ behind the shock:
 

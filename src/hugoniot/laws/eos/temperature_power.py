@@ -93,7 +93,7 @@ def build(base, exponent):
     """Parameters; the base needs a constant specific heat, a temperature and an entropy."""
     functions = EOS.of(base).functions
     if not {"temperature", "entropy", "specific_heat", "energy"} <= set(functions) or not has_temperature(base):
-        raise OutOfRange(f"temperature_power: '{EOS.of(base).name}' has no temperature with a constant specific heat here; "
+        raise OutOfRange(f"temperature_power: '{EOS.of(base).name}' has no temperature unless a specific heat is given; "
                          "give a specific_heat")
     if not (0.0 < exponent < math.inf):
         raise OutOfRange(f"temperature_power: exponent = {exponent:g} must be positive; 1 is a constant specific heat")

@@ -124,7 +124,7 @@ def check_overlap(rigid: Sequence[Rigid2D], mesh: Blocks | None, collector: Coll
                 if covered.any():
                     x, y = points[:, covered][:, 0]
                     collector.add(("rigid", i, "points"), f"overlaps block '{block.name}' near ({x:.6g}, {y:.6g}) m",
-                                  "bodies may touch at the start")
+                                  "at the start bodies may touch, but not overlap")
                     break
 
 

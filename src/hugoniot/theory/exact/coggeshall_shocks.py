@@ -1,8 +1,8 @@
 r"""Coggeshall's adiabatic flows in which cold gas flows through a shock.
 
 They test a solver with an infinitely strong shock in a moving or non-uniform flow. The density of the ideal gas, with the ratio of specific
-heats $\gamma$, rises by $(\gamma+1)/(\gamma-1)$ across the shock; $d$ = 1, 2, 3 in planar, cylindrical and spherical geometry. The
-numbers of the problems are Coggeshall's.
+heats $\gamma$, rises by a factor of $(\gamma+1)/(\gamma-1)$ across the shock; $d$ = 1, 2, 3 in planar, cylindrical and spherical geometry.
+The numbers of the problems are Coggeshall's.
 
 **Problem 20** is Noh's implosion in a frame that expands at the rate $a$, for $\gamma = 1 + 2/d$. With $h = 1 + at$, the speed $U$ of the
 inflow, its density $\rho_0$ at $t = 0$ and the shock at $r_s = \tfrac12(\gamma-1)Ut$,

@@ -37,8 +37,8 @@ def ehep(detonation_velocity: float = 8500.0, density: float = 1600.0, piston: f
     piston                speed of the piston from x = 0 at time 0, from 0 to D/4
     length                length of the slab
 
-    Fields: density, velocity, pressure, energy, sound_speed, burn_fraction; not a number (NaN) where the piston is; beyond the front of the
-    gas the density is 0 and the velocity that of the front. Numbers: escape_time (of the front at the free end),
+    Fields: density, velocity, pressure, energy, sound_speed, burn_fraction; not a number (NaN) behind the face of the piston; beyond the
+    front of the gas the density is 0 and the velocity that of the front. Numbers: escape_time (of the front at the free end),
     piston_meets_escape_wave (s).
     The defaults are those of ExactPack.
     """
