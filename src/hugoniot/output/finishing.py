@@ -29,14 +29,14 @@ def copied(folder, room) -> pathlib.Path:
 
 
 def _link(path: pathlib.Path, to: pathlib.Path) -> None:
-    try:
-        if path.name == "run.log":      # which a run goes on writing
-            raise OSError
-        os.link(path, to)
-    except FileNotFoundError:
-        raise
-    except OSError:
-        shutil.copyfile(path, to)
+    if path.name != "run.log":      # which a run goes on writing
+        try:
+            return os.link(path, to)
+        except FileNotFoundError:
+            raise
+        except OSError:     # a file system without links
+            pass
+    shutil.copyfile(path, to)
 
 
 def complete(place: RunFolder) -> Run:
