@@ -190,7 +190,9 @@ def apart(one, two):
 def test_the_contact_of_the_grains_leaves_the_first_shock_alone(rho0):
     """As far as the last digits of the flyer's speed do. Below its contact the law returns its base's numbers, but a processor sums the two
     laws in another order, and the viscosity's limiter makes the differences grow: with the thin shock to 1.5e-11 to 8e-11, on some
-    processors to 1e-9. With the wide one (`linear_condensed` = 1) they grow steadily inside the front, to 4e-3 at 0.77 g/cm3 and 900 m/s.
+    processors to 1e-9. At 100 kg/m3 and 220 m/s a limit that one step meets or misses by its last digit leaves two sets of runs, 1.4e-7
+    apart; the run with grains belongs to either. With the wide shock (`linear_condensed` = 1) the differences grow steadily inside the
+    front, to 4e-3 at 0.77 g/cm3 and 900 m/s.
     """
     thin = SolverOptions(viscosity=("limited", {"linear": 0.3, "linear_condensed": 0.3}))
 
@@ -200,9 +202,8 @@ def test_the_contact_of_the_grains_leaves_the_first_shock_alone(rho0):
         return march_to(make_solver(replace(problem, regions=nudged)), problem.stop_time)
 
     for speed in SPEEDS:
-        bare = found("exact", speed)
-        digits = max(apart(bare, found("exact", speed, digits)) for digits in (-2, -1, 1, 2, 3, 4))
-        assert apart(bare, found("grains", speed)) < 3.0 * digits < 1e-8, speed
+        grains = found("grains", speed)
+        assert min(apart(found("exact", speed, digits), grains) for digits in (-2, -1, 0, 1, 2, 3, 4)) < 3e-9, speed
 
 
 @pytest.mark.slow
