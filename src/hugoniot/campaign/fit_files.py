@@ -28,7 +28,8 @@ def claimed(folder: pathlib.Path) -> pathlib.Path:
         standing = sorted(path.name for path in folder.iterdir())
     foreign = [name for name in standing if name not in (FOUND, *FILES, "report.html", "run.log") and not name.endswith(".part")]
     if foreign or (standing and FOUND not in standing):
-        raise FileTrouble(f"{folder}: contains {(foreign or standing)[0]} and is not the folder of a fit; choose another folder with --out")
+        raise FileTrouble(f"{folder}: contains {(foreign or standing)[0]}, which does not belong to a fit; "
+                          "choose another folder with --out")
     if FOUND in standing:
         _refuse_changed(folder)
     return folder

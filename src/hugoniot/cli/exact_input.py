@@ -60,10 +60,12 @@ def points_of(text: str, where: str, width: int | None) -> np.ndarray:
     if width == 1:
         return np.array([quantity(part.strip(), "m", where) for part in text.split(",")])
     rows = [[quantity(part.strip(), "m", where) for part in point.split(",")] for point in text.split(";")]
-    size = width or len(rows[0])
-    if any(len(row) != size for row in rows) or size not in (2, 3):
-        raise DeckError.single("command line", None, where, f"'{text[:60]}' is not a list of points with {size} coordinates each",
-                               'write "0, 4 m; 3 m, 2 m"')
+    sizes = (width,) if width else (2, 3)
+    if len(rows[0]) not in sizes or any(len(row) != len(rows[0]) for row in rows):
+        raise DeckError.single("command line", None, where,
+                               f"'{text[:60]}' is not a list of points with {' or '.join(map(str, sizes))} coordinates each",
+                               'separate the coordinates of a point by commas and points by semicolons, for example '
+                               + ('"0, 4 m; 3 m, 2 m"' if 2 in sizes else '"0, 4 m, 1 m; 3 m, 2 m, 0"'))
     return np.array(rows)
 
 

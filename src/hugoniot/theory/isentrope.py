@@ -29,8 +29,8 @@ def isentrope(material, start: States | None = None, *, direction: int = 1, **gi
     direction   direction of the wave that makes the change. +1: towards +x, so that release lowers the particle velocity; -1: towards -x,
                 so that release raises it, as at a free surface on the right
 
-    Returns `States` of the shape of the number or array given. Raises `OutOfRange` with the last state where the isentrope ends, at a
-    tension that is not supported or at a limit of the law.
+    Returns `States` of the shape of the number or array given. Raises `OutOfRange` if the isentrope ends before that value, at a tension
+    that the material does not support or at a limit of the law; the message gives the last state reached.
     """
     par = law_of(material)
     start = start or reference(par)
@@ -67,8 +67,8 @@ def state(material, velocity: float = 0.0, **given) -> States:
 
     material   a `Material`, or the parameters of an equation of state
     velocity   particle velocity, m/s
-    given      at most two of density (kg/m3), pressure (Pa), energy (J/kg), temperature (K). None: the reference state; density alone:
-               zero pressure; one of the others alone: the reference density
+    given      at most two of density (kg/m3), pressure (Pa), energy (J/kg), temperature (K). With none of them, the reference
+               state; with density alone, zero pressure; with one of the others alone, the reference density
 
     Returns `States` whose fields are numbers. Raises `OutOfRange` for a state that the material cannot have.
     """

@@ -11,9 +11,9 @@ $$u = \frac{2}{\gamma+1}\left(\frac xt - \frac D2\right), \qquad c = \frac D2 + 
 until $u$ equals the speed $U$ of the piston, at $x = (\tfrac D2 + \tfrac{\gamma+1}{2}U)\,t$; from there to the piston the state is
 uniform. Behind a wall ($U = 0$) the uniform region reaches half-way to the front.
 
-* $D$: `detonation_velocity`; $\rho_0$: initial density, `density`; $\gamma$: `gamma`; $U$: `piston`
+* $D$: `detonation_velocity`; $\rho_0$: `density`, before the detonation arrives; $\gamma$: `gamma`; $U$: `piston`
 
-Source: Taylor, Proc. R. Soc. A 200 (1950) 235; Mader, Numerical Modeling of Detonations (1979); the problem of that name in ExactPack.
+Source: Taylor, Proc. R. Soc. A 200 (1950) 235; Mader, Numerical Modeling of Detonations (1979); the problem `Mader` of ExactPack.
 """
 
 import numpy as np
@@ -30,9 +30,9 @@ def mader(detonation_velocity: float = 8000.0, density: float = 1875.0, gamma: f
     gamma                 ratio of specific heats of the products, above 1
     piston                speed of the piston, from -D/(gamma - 1) to the CJ particle velocity D/(gamma + 1); 0: a wall
 
-    Fields: density, velocity, pressure, energy (without chemical energy), sound_speed, burn_fraction; not a number (NaN) where the piston
-    is. Numbers: cj_pressure, cj_velocity (particle velocity), cj_density, tail_speed and tail_pressure (where the uniform region begins),
-    heat_of_reaction (J/kg).
+    Fields: density, velocity, pressure, energy (without chemical energy), sound_speed, burn_fraction; not a number (NaN) behind the face
+    of the piston. Numbers: cj_pressure, cj_velocity (particle velocity), cj_density, tail_speed and tail_pressure (where the uniform
+    region begins), heat_of_reaction (J/kg).
     """
     d = detonation_velocity
     if gamma <= 1.0 or min(d, density) <= 0.0 or not -d / (gamma - 1.0) < piston <= d / (gamma + 1.0):
