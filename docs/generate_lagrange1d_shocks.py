@@ -81,12 +81,12 @@ def fluids() -> list[str]:
                         percent(surface_excess(run))]
                 cycles.append(run.summary["cycles"])
             rows.append([f"{name}, {speed:.0f} m/s", *row, f"{cycles[0] / cycles[1]:.1f}"])
-    return [f"{IMPACT}, without strength; Courant number 0.7. The columns give the overshoot of the largest stress above the exact "
-            "plateau, 0.5 mm from the impact face and in the first two zones of the target, and that of the largest velocity of the "
-            "free surface above its final value: first with the defaults, then with a linear coefficient of 0.3. The last column is "
-            "the number of steps with the defaults divided by that with 0.3.", "",
+    return [f"{IMPACT}, without strength; Courant number 0.7. The table gives the overshoot of the largest stress above the exact "
+            "plateau, 0.5 mm from the impact face and in the first two zones of the target, and the overshoot of the largest velocity "
+            "of the free surface above its final value. Three columns are for the defaults, three for a linear coefficient of 0.3. The "
+            "last column is the number of time steps with the defaults divided by that with 0.3.", "",
             *table(("impact", "stress at 0.5 mm", "stress in first two zones", "surface velocity", "with 0.3: stress at 0.5 mm",
-                    "with 0.3: stress in first two zones", "with 0.3: surface velocity", "ratio of steps"), rows)]
+                    "with 0.3: stress in first two zones", "with 0.3: surface velocity", "ratio of numbers of steps"), rows)]
 
 
 def solids() -> list[str]:
@@ -103,12 +103,14 @@ def solids() -> list[str]:
                 rises.append(rise(run, level))
         widths += [wide / thin for wide, thin in zip(rises[:3], rises[3:])]
         rows.append([name, *row, ", ".join(firsts[:3]) + " %"])
-    return [f"{IMPACT}, of library materials; Courant number 0.7. The table gives the overshoot of the largest velocity of the free "
-            "surface above its final value, with the defaults and with a linear coefficient of 0.3. The last column gives the "
-            "overshoot of the stress in the first two zones of the target, with the defaults, at the three impact velocities.", "",
+    return [f"{IMPACT}, of library materials; Courant number 0.7. For three impact velocities the table gives the overshoot of the "
+            "largest velocity of the free surface above its final value, with the defaults and with a linear coefficient of 0.3. The "
+            "last column gives the overshoot of the stress in the first two zones of the target above the plateau at the three "
+            "velocities, with the defaults.", "",
             *table(("material", "500 m/s", "1000 m/s", "2000 m/s", "with 0.3: 500 m/s", "with 0.3: 1000 m/s", "with 0.3: 2000 m/s",
                     "stress in first two zones"), rows),
-            f"Plastic shocks (from 50 to 90 % of the stress) are {min(widths):.1f} to {max(widths):.1f} times as wide as with 0.3.",
+            f"With the defaults plastic shocks (between 50 and 90 % of the stress) are {min(widths):.1f} to {max(widths):.1f} times as "
+            "wide as with 0.3.",
             "", *limits()]
 
 
@@ -152,8 +154,9 @@ def shocks() -> list[str]:
         places = [crossing(f, ahead + part * (level - ahead), front) for part in (0.9, 0.1)]
         rows.append([words, f"{places[1] - places[0]:.1f}", percent(max(f[front - 20:].max() / level - 1, 0.0)),
                      f"{100 * np.std(f[:front - 20]) / level:.3f} %"])
-    return ["Runs on 300 zones. The width of the shock is taken between 10 and 90 % of its height (of a plastic shock: the height above "
-            "the elastic limit), the overshoot in the 20 zones behind it. Ripples are the root mean square deviation farther behind.", "",
+    return ["Runs on 300 zones. The width of a shock is measured between 10 and 90 % of its height (for a plastic shock, of its height "
+            "above the elastic limit). The overshoot is the largest within 20 zones behind the front; ripples are the root mean square "
+            "deviation farther behind. Both are relative to the plateau.", "",
             *table(("problem", "width in zones", "overshoot", "ripples"), rows)]
 
 
@@ -180,7 +183,7 @@ def steps() -> list[str]:
         run = done(flyer(solver__courant=courant, stop_time=0.5e-6))
         rows.append([f"{courant}", percent(highest(run)["stress"] / exact - 1), f"{run.summary['cycles']}"])
     return ["Overshoot of the highest stress of the reference flyer (`hugoniot init flyer`) above the exact plateau of "
-            f"{exact / 1e9:.4f} GPa, without the first twelve zones at the impact face:", "",
+            f"{exact / 1e9:.3f} GPa, with twelve zones at the impact face left out:", "",
             *table(("Courant number", "overshoot", "steps until 0.5 µs"), rows), *burning()]
 
 
@@ -193,6 +196,6 @@ def burning() -> list[str]:
                                  lighting=(Lighting(0.0),), solver=SolverOptions(courant=courant)))
         highest_pressure = float(solver.state().zones["pressure"].max())
         rows.append([f"{courant}", f"{highest_pressure / 1e9:.2f} GPa", percent(highest_pressure / front.state.pressure - 1)])
-    return ["Highest pressure in Composition B when a programmed detonation from a wall has run through 4 cm of 0.1 mm zones "
-            f"(CJ pressure {front.state.pressure / 1e9:.2f} GPa):", "",
+    return ["Highest pressure in Composition B when a programmed detonation that starts at a wall has run through 4 cm, with zones of "
+            f"0.1 mm (CJ pressure {front.state.pressure / 1e9:.2f} GPa):", "",
             *table(("Courant number", "highest pressure", "difference from the CJ pressure"), rows)]
