@@ -61,14 +61,14 @@ def matrix() -> list[str]:
                 row.append(shown)
             rows.append([f"`{law.name}`", conduction, *row])
     count = len(rows) * len(MACHS)
-    return ["Thickness of the density profile, in units of (4/3) μ / (ρ₁u₁), where μ is the constant shear viscosity, ρ₁ the density ahead "
-            "of the shock and u₁ the velocity of the shock relative to it. Each law is computed with the constants of its example and the "
-            "reference state ahead, without heat conduction and with conduction at a Prandtl number of 1. "
+    return ["Thickness of the density profile in units of (4/3) μ / (ρ₁u₁), where μ is the constant shear viscosity, ρ₁ the density ahead "
+            "of the shock and u₁ the velocity of the shock relative to the material ahead. Each law has the constants of the example on "
+            "its own page, and the state ahead is the reference state. *With* heat conduction means a Prandtl number of 1. "
             f"Of {count} cases {found} have a steady wave. "
             "The others have none:", "",
             "* *beyond limit*: the shock is stronger than the fit, the table or the law allows.",
-            "* *unstable*: the law's specific heat at constant pressure is not positive behind the shock, or within the wave where heat "
-            "runs ahead of it. Heat conduction is then impossible.",
+            "* *unstable*: the specific heat at constant pressure is not positive behind the shock, or within the wave where heat "
+            "runs ahead of the shock. Heat conduction is then impossible.",
             "* *no temperature*: the law has no temperature, so heat conduction cannot be computed.", "",
             f"CPU time of the slowest case: {max(times):.2f} s; of all {count}: {sum(times):.0f} s.", "",
             *table(("law", "heat conduction", *(f"Mach {m:g}" for m in MACHS)), rows)]
@@ -108,11 +108,9 @@ def orders() -> list[str]:
             found = [worst_error(keywords, frame, count) for count in (5, 10, 20)]
             rows.append([name, frame, *(f"{100.0 * e:.2g}" for e in found), *(f"{math.log2(a / b):.1f}" for a, b in zip(found, found[1:]))])
     return ["Error of the density thickness relative to the steady wave, for runs started from a step with 5, 10 and 20 cells in the "
-            "thickness, and the orders of convergence observed from 5 to 10 and from 10 to 20 cells. All runs are laid out in the same "
-            "way. The domain extends three thicknesses beyond the points where the steady wave is within 1e-8 of its end states, and at "
-            "least twelve thicknesses on each side. Each run lasts until the slowest of the waves that the initial step sends out has "
-            "travelled twelve thicknesses. The error is the largest found at nine instants at the end of the run, while the gas behind the "
-            "shock crosses one thickness.", "",
+            "thickness, and the observed orders of convergence. All runs have the domain and duration recommended for the transient "
+            "solver. The error is the largest found at nine instants at the end of the run, while the material behind the "
+            "shock moves by one thickness.", "",
             *table(("case", "frame", "5 cells, %", "10 cells, %", "20 cells, %", "order, 5 to 10", "order, 10 to 20"), rows)]
 
 
@@ -150,10 +148,10 @@ def resolutions() -> list[str]:
                 row.append(f"{found:.3g}")
             name = block.replace("_", " ").replace("maxwell", "Maxwell")
             rows += [[name, f"{mach:g}", "here", *row, f"{true / path:.4g}"], ["", "", "Jordan", *prints, ""]]
-    return ["Density thickness as Jordan computes it (eq. 6.2.5, central differences), in units of the mean free path of each block "
-            "of table 6.2.1.1, for runs started from a step. A column headed N has cells 300/N mean free paths wide; the column *steady* "
-            f"is the exact thickness. No finer grid is computed after one on which a thickness spans more than {ENOUGH} cells. NA is as "
-            "printed in the source.", "",
+    return ["Density thickness as Jordan computes it (eq. 6.2.5, central differences), for runs started from a step, in the mean free "
+            "paths that Jordan uses for each viscosity in table 6.2.1.1. The headings are the numbers of cells in 300 mean free paths; "
+            f"*steady* is the thickness of the steady wave. Finer grids are omitted once a thickness spans more than {ENOUGH} cells. "
+            "NA is printed in the source.", "",
             *table(("viscosity", "Mach", "", *map(str, CELLS_OF_300), "steady"), rows)]
 
 
@@ -209,12 +207,12 @@ def spacings() -> list[str]:
         found = (on_spacing(case, case.spacing)[0], on_spacing(case, case.spacing, True)[0], by_central_differences(case))
         schemes.append([label, *(f"{f * 1e9:.3g} nm, {f / case.spacing:.2g} cells" for f in found),
                         f"{case.printed[0] * 1e9:.0f} nm, {case.printed[0] / case.spacing:.0f} cells"])
-    return ["Thickness in nm of two shocks in water by Jordan's eq. 6.2.5, on 600 cells of the width in the column heading. For "
-            "the cell width that Jordan used, Jordan's result is given in brackets:", "",
+    return ["Thickness in nm of two shocks in water by Jordan's eq. 6.2.5, on 600 cells of the width in the heading. "
+            "Jordan's result is given in brackets at the cell width that Jordan used:", "",
             *table(("shock", *(f"{s * 1e9:.3g} nm" for s in WATER_SPACINGS), "steady"), rows),
-            "The same on Jordan's own cells by three schemes: this solver; this solver at first order (local Lax-Friedrichs flux); and the "
-            "central differences of Jordan's section 2.4.1 after five sound-crossing times of a cell, before the ripples of this scheme "
-            "steepen the front further:", "",
+            "The same on cells of Jordan's width by three schemes: this solver; this solver at first order (local Lax-Friedrichs flux); "
+            "and the central differences of Jordan's section 2.4.1. The last are shown when sound has crossed five cells; later the "
+            "ripples of this scheme steepen the front further:", "",
             *table(("shock", "this solver", "first order", "central differences", "Jordan"), schemes)]
 
 
@@ -249,7 +247,7 @@ def speed() -> list[str]:
     share = 5e7 * 19200 / solver.zone_updates
     return [*table(("calculation", "CPU time, s"), rows),
             f"Jordan took 5e7 steps on 19 200 cells, 9.6e11 cell updates, per case: about "
-            f"{1e4 * round(share / 1e4):_.0f} times as many.".replace("_", " ")]
+            f"{1e4 * round(share / 1e4):_.0f} times as many as the run in the last row.".replace("_", " ")]
 
 
 PARTS = {"Every equation of state of the package": matrix, "Order of the transient": orders, "Argon by resolution": resolutions,
