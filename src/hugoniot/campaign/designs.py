@@ -135,7 +135,7 @@ def _table(path: str) -> Design:
     heads = rows[0][1]
     for n, row in rows[1:]:
         if len(row) != len(heads):
-            raise DeckError.single(name, n, "row", f"{len(row)} values under {len(heads)} column headers",
+            raise DeckError.single(name, n, "row", f"values: {len(row)}, column headers: {len(heads)}",
                                    "give one value for each column")
     _few_enough(len(rows) - 1)
     columns = [[row[k] for _, row in rows[1:]] for k in range(len(heads))]

@@ -28,7 +28,7 @@ def claimed(folder: pathlib.Path) -> pathlib.Path:
         standing = sorted(path.name for path in folder.iterdir())
     foreign = [name for name in standing if name not in (FOUND, *FILES, "report.html", "run.log") and not name.endswith(".part")]
     if foreign or (standing and FOUND not in standing):
-        raise FileTrouble(f"{folder}: contains {(foreign or standing)[0]}, which does not belong to a fit; "
+        raise FileTrouble(f"{folder}: is not the folder of a fit, but contains {(foreign or standing)[0]}; "
                           "choose another folder with --out")
     if FOUND in standing:
         _refuse_changed(folder)

@@ -86,7 +86,7 @@ def _lines(path: str) -> list[tuple[int, list[str]]]:
 
 def _row(name: str, line: int, cells: list[str], heads) -> list[float]:
     if len(cells) != len(heads):
-        raise DeckError.single(name, line, "row", f"{len(cells)} values under {len(heads)} column headers",
+        raise DeckError.single(name, line, "row", f"values: {len(cells)}, column headers: {len(heads)}",
                                "give one value for each column")
     return [_si(name, line, f"{cell.strip()} {unit}", _UNITS[head]) for cell, (head, unit) in zip(cells, heads)]
 

@@ -115,9 +115,12 @@ class _Unknowns:
         self.base, self.names = material, tuple(adjust)
         law = BURN.of(material.burn)
         strange = [name for name in self.names if name not in law.parameters._fields]
-        if strange or not self.names or len(set(self.names)) < len(self.names):
-            raise OutOfRange(f"the burn law {law.name} has no constant '{', '.join(strange)}' to adjust" if strange else
-                             f"name each constant to adjust exactly once; {law.name} has: {', '.join(law.parameters._fields)}")
+        if strange:
+            raise OutOfRange(f"the burn law {law.name} has no constant '{', '.join(strange)}' to adjust")
+        if not self.names:
+            raise OutOfRange(f"no constant to adjust is named; {law.name} has: {', '.join(law.parameters._fields)}")
+        if len(set(self.names)) < len(self.names):
+            raise OutOfRange(f"a constant to adjust is named twice: {', '.join(self.names)}")
         self.pressures = tuple(sorted(set(float(p) for p in pressures)))
         if len(self.pressures) < len(self.names) or not all(0.0 < p < math.inf for p in self.pressures):
             raise OutOfRange(f"give at least as many input pressures as constants to fit ({len(self.names)}), all positive")

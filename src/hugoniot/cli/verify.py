@@ -46,7 +46,7 @@ def verify(
     if solver not in SOLVERS:
         raise DeckError.single("verify", None, "--solver", f"unknown solver '{printable(solver)}'", nearest(solver, SOLVERS))
     if solver == FRONTS and integrator != "compatible":
-        raise DeckError.single("verify", None, "--integrator", "fronts has no integrator", "leave out --integrator or --solver")
+        raise DeckError.single("verify", None, "--integrator", "does not apply to the fronts solver", "leave out --integrator or --solver")
     if solver == FRONTS:
         names = problems or [*LINE, *(() if zones else TRACKED)]
     else:

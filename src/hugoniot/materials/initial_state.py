@@ -50,8 +50,8 @@ def energy_at_pressure(rho, p, eos):
         cold = pressure(rho, rest, eos)
         if abs(p - cold) <= COLD * (abs(p) + abs(cold)):
             return rest      # the pressure of that density, whatever the energy
-        raise OutOfRange(f"'{law.name}' gives a pressure that does not depend on the energy: density and pressure do not determine it; "
-                         "give the density and the energy")
+        raise OutOfRange(f"'{law.name}' gives a pressure that does not depend on the energy: density and pressure do not determine the "
+                         "energy; give the density and the energy")
     if "energy" in law.functions:
         return law.functions["energy"](rho, p, eos)
     e, last = rest, math.inf

@@ -76,9 +76,12 @@ def _size(shape: tuple) -> str:
 
 def _dataset(file, name: str, path) -> np.ndarray:
     found = file.get(name)
-    if not isinstance(found, h5py.Dataset) or found.dtype.kind not in "fiu":
-        raise DeckError.single(path, None, name, f"the file has no dataset of numbers '{name}'; its datasets: {_names(file) or 'none'}",
+    if not isinstance(found, h5py.Dataset):
+        raise DeckError.single(path, None, name, f"the file has no dataset '{name}'; its datasets: {_names(file) or 'none'}",
                                f"it needs {', '.join(UNITS)}")
+    if found.dtype.kind not in "fiu":
+        raise DeckError.single(path, None, name, f"the dataset '{name}' does not consist of numbers",
+                               f"write it as numbers in {UNITS[name]}")
     if found.external or found.is_virtual:
         raise DeckError.single(path, None, name, "its numbers are stored in another file", "copy them into this one")
     if not 0 < (found.size or 0) <= _MOST_VALUES or found.ndim > 2:

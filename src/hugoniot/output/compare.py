@@ -110,7 +110,7 @@ def read_table(path) -> list[Record]:
     rows = np.empty((len(lines) - 1, len(heads)))
     for k, (n, row) in enumerate(lines[1:]):
         if len(row) != len(heads):
-            raise _table_error(path, n, "row", f"{len(row)} values under {len(heads)} column headers",
+            raise _table_error(path, n, "row", f"values: {len(row)}, column headers: {len(heads)}",
                                "give one value for each column")
         for c, cell in enumerate(row):
             try:

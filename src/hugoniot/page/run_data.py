@@ -108,7 +108,7 @@ def column(path: Path, group: str, name: str, which: dict[str, int], step: int =
     Fields of nodes come as means over the zone, as `hugoniot plot` takes them. `OutOfRange` for what a run does not hold.
     """
     if group not in ("snapshots", "gauges"):
-        raise OutOfRange("the groups of a run are snapshots and gauges")
+        raise OutOfRange(f"a run has the records snapshots and gauges, not {group!r}")
     if not finished(path):
         plane = group == "snapshots" and name != "time" and which
         return live.plane_column(path, name, which) if plane else live.column(path, group, name)

@@ -54,7 +54,7 @@ def plane_field(run, field: str, k) -> np.ndarray:
     known += [*_NODAL, *(DERIVED if "deviator_zz" in rows else ())]
     near = difflib.get_close_matches(str(field), known, n=1)
     hint = f"did you mean '{near[0]}'?" if near else f"it has: {', '.join(known)}"
-    raise DeckError.single(run.folder, None, "field", f"the snapshots of this run hold no '{field}'", hint)
+    raise DeckError.single(run.folder, None, "field", f"the snapshots of this run do not contain '{field}'", hint)
 
 
 def borders(corners: np.ndarray, block_of: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

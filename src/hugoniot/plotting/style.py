@@ -125,7 +125,7 @@ def _at_faces(run, group: str, field: str) -> bool:
         known = known + nodal
         near = difflib.get_close_matches(str(field), known, n=1)
         hint = f"did you mean '{near[0]}'?" if near else f"it has: {', '.join(known) or 'none'}"
-        raise DeckError.single(run.folder, None, "field", f"the {group} of this run hold no '{field}'", hint)
+        raise DeckError.single(run.folder, None, "field", f"the {group} of this run do not contain '{field}'", hint)
     return field in nodal
 
 

@@ -122,7 +122,8 @@ def _in_words(item: Mapping, model: type[BaseModel]) -> tuple[str, str]:
         field = _field_at(model, location)
         return f"missing ({field.description})" if field is not None and field.description else "missing", ""
     if kind == "literal_error":
-        return f"expected {context['expected']}, got '{shown}'", nearest(shown, _literals(context["expected"]), " ").strip()
+        found = f"'{shown}'" if isinstance(given, str) else shown
+        return f"expected {context['expected']}, got {found}", nearest(shown, _literals(context["expected"]), " ").strip()
     words = {"int_type": "expected a whole number", "int_from_float": "expected a whole number", "string_type": "expected a string",
              "bool_type": "expected true or false", "float_type": "expected a number", "list_type": "expected an array",
              "dict_type": "expected a table", "model_type": "expected a table", "tuple_type": "expected an array"}

@@ -120,9 +120,9 @@ class MixtureState:
         return {**found, **{name: getattr(self, name) for name in names}}
 
     def phase_slopes(self) -> contract.PhaseSlopes:
-        """The twelve slopes of v_r, e_r, v_p, e_p by v, e and burn fraction, arrays of the state's shape (burn fraction > 0)."""
+        """The twelve derivatives of v_r, e_r, v_p, e_p with respect to v, e and burn fraction (> 0), arrays of the state's shape."""
         if np.any(self.burn_fraction <= 0.0):
-            raise OutOfRange("the derivatives of the state of the products by volume and energy are infinite at burn fraction 0: "
+            raise OutOfRange("the derivatives of the products' state with respect to volume and energy are infinite at burn fraction 0: "
                              "give a positive one, or use vanishing_series")
         return contract.PhaseSlopes(*np.moveaxis(self._each(contract.phase_slopes), -1, 0))
 

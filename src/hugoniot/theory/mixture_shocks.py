@@ -41,7 +41,7 @@ def reacting_hugoniot(upstream: MixtureState, pressures, reacted: float | Callab
     more = np.array([reacted(float(x)) if callable(reacted) else float(reacted) for x in p])
     lam_u = float(upstream.burn_fraction)
     if not ((more >= 0.0) & (lam_u + more <= 1.0 + 1e-12)).all():
-        raise OutOfRange(f"between 0 and {1.0 - lam_u:.6g} of the mass can burn in the shock")
+        raise OutOfRange(f"the mass fraction that burns in the shock must lie between 0 and {1.0 - lam_u:.6g}")
     if not more.any() and lam_u > 0.0:
         return frozen_hugoniot(upstream, p)
     par, u = upstream.par, upstream.mixed()
@@ -54,7 +54,8 @@ def reacting_hugoniot(upstream: MixtureState, pressures, reacted: float | Callab
         v_p = _product_volume(x, lam, v_r, e_r, (v_u, e_u, p_u), par.products) if lam > 0.0 else math.nan
         v = (1.0 - lam) * v_r + (lam * v_p if lam > 0.0 else 0.0)
         if not v < v_u:
-            raise NoSolution(f"a front to {x:.6g} Pa in which {extra:.4g} of the mass burns would expand the explosive: no shock exists")
+            raise NoSolution(f"a front to {x:.6g} Pa in which a mass fraction of {extra:.4g} burns would expand the explosive: "
+                             "no shock exists")
         e = e_u + 0.5 * (x + p_u) * (v_u - v)
         kept = (v_r, e_r) if lam < 1.0 else (math.nan, math.nan)
         rows.append((v, e, *kept, v_p, (e - (1.0 - lam) * e_r) / lam if lam > 0.0 else math.nan))

@@ -111,7 +111,7 @@ def test_a_table_of_cases(tmp_path):
     ("region.flyer.velocity\n300\n", "the column has no unit; write 'region.flyer.velocity .m/s.'"),
     ("region.flyer.velocity [m/s]\nfast\n", "'fast' is not a number"),
     ("region.flyer.velocity [m/ss]\n3\n", "unknown unit"),
-    ("a [m], b [m]\n3\n", "1 values under 2 column headers"),
+    ("a [m], b [m]\n3\n", "values: 1, column headers: 2"),
     ("a [m]\n", "needs a line of column headers"),
 ])
 def test_tables_that_are_refused(tmp_path, text, words):

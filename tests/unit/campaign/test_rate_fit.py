@@ -45,7 +45,7 @@ LINE = PopLine(1.39, -0.31, *(np.nan,) * 3)
 
 
 @pytest.mark.parametrize(("material", "adjust", "pressures", "words"), [
-    (LX17, ("g3",), PRESSURES, "no constant 'g3'"), (LX17, ("g1", "g1"), PRESSURES, "exactly once"), (LX17, (), PRESSURES, "exactly once"),
+    (LX17, ("g3",), PRESSURES, "no constant 'g3'"), (LX17, ("g1", "g1"), PRESSURES, "twice"), (LX17, (), PRESSURES, "no constant to"),
     (LX17, ("y",), PRESSURES, "without its coefficient 'g1'"), (with_rate(g2=0.0), ("g2",), PRESSURES, "starts from 0"),
     (LX17, ("g1", "y"), (15e9,), "as many input pressures"), (LX17, ("g1",), (-1.0,), "all positive"),
     (library.find("comp_b"), ("g1",), PRESSURES, "has no rate-based burn law")])

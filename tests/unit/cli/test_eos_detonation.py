@@ -124,7 +124,7 @@ def test_pictures(tmp_path, arguments):
     (("znd", "lx_17", "--rate", "arrhenius: frequency = 1e6 1/s"), 2, "activation_temperature: missing"),
     (("znd", "lx_17", "--complete", "1"), 3, "(complete) between 0 and 1"), (("znd", "lx_17", "--heat", "1 MJ/kg", "--closure", "thermal_isolation"), 2, "omit one"),
     (("znd", "copper", "--heat", "1 MJ/kg"), 2, "has no burn law"), (("mixture", "lx_17"), 2, "no state is given"), (("mixture", "copper", "--shocked", "pressure = 1 GPa"), 2, "unreacted"),
-    (("mixture", *LX17, "--burn-fraction", "1.5"), 2, "not a mass fraction"), (("mixture", *LX17, "--at", "density = 2 g/cm^3"), 2, "its density and its energy, pressure or temperature"),
+    (("mixture", *LX17, "--burn-fraction", "1.5"), 2, "not a mass fraction"), (("mixture", *LX17, "--at", "density = 2 g/cm^3"), 2, "density of the mixture and its energy, pressure or temperature"),
     (("mixture", *LX17, "--at", "energy = 2 MJ/kg, pressure = 9 GPa"), 2, "density = 2.4 g/cm^3, pressure = 20 GPa"),
     (("mixture", *LX17, "--series", "--plot", "x.png"), 2, "table of coefficients"),
     (("mixture", *LX17, "--closure", "burned_products"), 3, "no reactants"), (("mixture", *LX17, "--series", "--hugoniot", "9 GPa"), 2, "cannot be combined"),

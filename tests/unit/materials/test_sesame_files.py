@@ -96,7 +96,7 @@ def test_the_command_shows_parts_coexistence_and_a_sum_that_misses(tmp_path):
     run = CliRunner().invoke(build_app("eos"), ["eos", "sesame", str(path), "--temperature", "900 K", "--csv", str(tmp_path / "x.csv")])
     assert run.exit_code == 0, run.output
     for text in ("401 vaporization to 7000 K, 0.5 GPa, 600 and 600 kg/m3", "411 solid on the melting line: 933 K at 0 GPa to 1200 K at 10 GPa",
-                 "306 cold curve: zero pressure at 2700 kg/m3", "303 + 304 differs from 301"):
+                 "306 cold curve: zero pressure at 2700 kg/m3", "tables 303 + 304 differs from table 301"):
         assert text in run.output
     rows = np.genfromtxt(tmp_path / "x.csv", delimiter=",", names=True, deletechars="")
     assert (rows["temperature_(K)"][5], rows["density_(kg/m^3)"][5]) == (900.0, RHO[5]) and rows["pressure_301_(Pa)"][5] == pytest.approx(parts()[301][0][5, 3], rel=1e-12)

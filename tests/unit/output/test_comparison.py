@@ -59,7 +59,7 @@ def test_the_runs_own_csv_compares_with_the_run(runs):
     ("time [us], velocity [GPa]\n0,1\n", "one kind"),
     ("time [us], velocity [furlong]\n0,1\n", "furlong"),
     ("time [us], velocity [m/s]\n0,abc\n", "'abc' is not a number"),
-    ("time [us], velocity [m/s]\n0,1,2\n", "3 values under 2 column headers"),
+    ("time [us], velocity [m/s]\n0,1,2\n", "values: 3, column headers: 2"),
     ("time [us], velocity [m/s]\n1,1\n0,1\n", "d.csv:3: .*not later than that of the line before"),
     ("time [us], velocity [m/s]\n0,nan\n1,1\n", "d.csv:2: velocity: not a finite number"),
     ("", "needs a line of column headers"), ("time [us], velocity [m/s]\n", "no values below the column headers"),

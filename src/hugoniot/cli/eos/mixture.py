@@ -127,7 +127,7 @@ def _case(subject: Subject, kind: str, asked: Question, fractions: list[float]) 
         return Case(kind, par, reference, reference, ahead.energy + q)
     given = several_states(asked.at, "--at", ("density", "energy", "pressure", "temperature"))
     if len(given) != 2 or "density" not in given:
-        raise DeckError.single("command line", None, "--at", "the state of a mixture is its density and its energy, pressure or "
+        raise DeckError.single("command line", None, "--at", "give the density of the mixture and its energy, pressure or "
                                                              "temperature",
                                'write "density = 2.4 g/cm^3, energy = 3 MJ/kg" or "density = 2.4 g/cm^3, pressure = 20 GPa"')
     rho = given.pop("density")

@@ -143,7 +143,8 @@ def _echo_isotherm(isotherm: dict[str, Any]) -> None:
 
 def _doubts(sums: dict) -> list[str]:
     """Sums that miss the total by more than files are rounded."""
-    return [f"{' + '.join(map(str, parts))} differs from 301 by up to {miss[0]:.2g} in pressure (at {miss[2]:.4g} kg/m3, {miss[3]:.4g} K) "
+    return [f"the sum of tables {' + '.join(map(str, parts))} differs from table 301 by up to {miss[0]:.2g} in pressure "
+            f"(at {miss[2]:.4g} kg/m3, {miss[3]:.4g} K) "
             f"and {miss[1]:.2g} in energy, relative to the sum of the parts' magnitudes: the tables do not belong "
             "together, or the total was changed afterwards"
             for parts, miss in sums.items() if miss is not None and max(miss[:2]) > _ADDS_UP]

@@ -140,7 +140,7 @@ def _gauge(row, collector: Collector, path: tuple) -> Gauge2D | None:
         direction = unit_vector(row.direction, collector, (*path, "direction"))
         return None if direction is None else Gauge2D(row.name, "slit", row.through, " ".join(row.on.split()), direction)
     has = f"; got {' and '.join(sorted(given))}" if given else ""
-    collector.add(path, "give at (a material point), or on (the mean over a chain), or on with through and direction "
+    collector.add(path, "a gauge needs one of: 'at' (a material point), 'on' (the mean over a chain), or 'on', 'through' and 'direction' "
                   f"(a line of sight){has}",
                   'for example at = ["1 mm", "2 mm"]')
     return None

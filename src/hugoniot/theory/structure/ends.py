@@ -93,7 +93,8 @@ def find_ends(material, upstream: hugoniot.Initial | None = None, *, mach: float
         if given:
             raise OutOfRange(f"give the strength of a shock by mach or by {', '.join(given)}, not by both")
         if not (math.isfinite(mach) and mach > 1.0):
-            raise OutOfRange(f"Mach {mach:g} is not a shock: its speed must exceed the sound speed ahead, {c1:.6g} m/s; give mach above 1")
+            raise OutOfRange(f"Mach {mach:g} is not a shock: its speed must exceed the sound speed ahead, {c1:.6g} m/s; "
+                             "give a finite mach above 1")
         given = {"shock_velocity": mach * c1}
     if len(given) != 1:
         raise OutOfRange("a shock needs exactly one measure of strength (mach, shock_velocity, particle_velocity, pressure or density), "
