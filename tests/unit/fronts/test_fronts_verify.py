@@ -28,7 +28,7 @@ def test_what_fronts_do_not_take_says_why():
 
 
 @pytest.mark.parametrize("arguments, words", [(["noh_square", "--solver", "fronts"], "two-dimensional"),
-                                              (["sod", "--solver", "fronts", "--integrator", "wilkins"], "no integrator"), (["--solver", "front"], "fronts")])
+                                              (["sod", "--solver", "fronts", "--integrator", "wilkins"], "not apply to the fronts solver"), (["--solver", "front"], "fronts")])
 def test_the_command_refuses_with_the_reason(arguments, words):
     found = CliRunner().invoke(build_app("verify"), ["verify", *arguments])
     assert found.exit_code != 0 and words in found.output + str(found.exception)
