@@ -12,7 +12,7 @@ import numpy as np
 
 from hugoniot.core.fields import FIELDS
 from hugoniot.diagnostics.apparent import APPARENT
-from hugoniot.diagnostics.gauges2d import OF_LINES
+from hugoniot.diagnostics.gauges2d import OF_LINES, OF_SIDES
 from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.diagnostics.norms import Difference, difference
 from hugoniot.errors import DeckError, DeckProblem
@@ -128,7 +128,7 @@ def read_table(path) -> list[Record]:
 
 
 def _record(name: str, unit: str, time, values) -> Record:
-    for field in sorted([*FIELDS, *OF_LINES, APPARENT], key=len, reverse=True):
+    for field in sorted([*FIELDS, *OF_LINES, *OF_SIDES, APPARENT], key=len, reverse=True):
         if name == field or name.endswith(" " + field):
             return Record(name[: -len(field)].strip(), field, unit, time, values)
     return Record("", name, unit, time, values)

@@ -88,4 +88,4 @@ class PlaneRecorder(Recorder):
         fields |= self.derived(state, fields.get("temperature"))
         if self.kept:
             fields = {name: value for name, value in fields.items() if name in self.kept or name in NODAL or name == "eroded"}
-        self.keep(state, fields, self.budget(state, self.solver.kinetic_energy()))
+        self.keep(state, fields, self.budget(state, self.solver.kinetic_energy(), self.solver.all_zones()))

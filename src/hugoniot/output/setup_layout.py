@@ -28,7 +28,7 @@ _POINT = [Number]
 _PLANE = {
     **_COMMON, "axes": [Text], "solver": {"kind": Text, "integrator": Text},
     "regions": [{"name": Text, "material": Text, "zones": [Whole]}], "boundaries": {...: {"kind": Text}}, "chains": {...: [[_POINT]]},
-    "gauges": [{"name": Text, "at": (list, Nothing)}], "lighting": [{"at?": (list, Nothing)}],
+    "gauges": [{"name": Text, "kind": Text, "at": (list, Nothing)}], "lighting": [{"at?": (list, Nothing)}],
     "rigid?": [{"name": Text, "points": [_POINT], "closed": (bool,), "centre": _POINT}]}
 _COUNTED = ("zone_updates", "voids_opened", "voids_closed", "interfaces_separated")
 _SUMMARY = {"title": Text, "status": Text, "solver": Text, "version": Text, "time": Number, "cycles": Whole,
@@ -37,6 +37,7 @@ _SUMMARY = {"title": Text, "status": Text, "solver": Text, "version": Text, "tim
             **{f"{name}_error?": (int, float, Nothing) for name in ("mass", "momentum", "energy")}}
 # entries of some solvers, of which the first stands for all
 _TOGETHER = (
+    ("zones_eroded", "eroded_mass", "eroded_energy"),
     ("contact_heat", "friction_work", "contact_depth", "bonds_broken"), ("density_thickness", "cells_per_thickness"),
     ("cells_halved", "finest_halving"),
     ("steady_density_thickness", "density_thickness", "steady_velocity_thickness", "steady_density_width_10_90", "mach", "entropy_viscous",

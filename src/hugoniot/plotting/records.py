@@ -42,22 +42,24 @@ def gauge(run, field: str = "stress", names=None, times=None, limits=None, ax=No
     _check_gauges(run, names or ())
     ax = ax if ax is not None else new_axes()
     once = sides(run.setup["gauges"]) if field in CONTINUOUS else {}
-    moving = [k for k in range(len(known)) if known[k] not in once and np.ptp(rows[field][:, k]) > 0][: len(COLOURS)]
-    columns = [known.index(name) for name in names] if names else moving
+    least, most = (end.reduce(rows[field], axis=0) for end in (np.fmin, np.fmax))      # a gauge may have been lost on the way (NaN)
+    moving = [k for k in range(len(known)) if known[k] not in once and most[k] > least[k]][: len(COLOURS)]
+    columns = [k for k in map(known.index, names) if most[k] >= least[k]] if names else moving      # one without any value has no line
     values = rows[field][:, columns]
     unit, factor, words = field_scale(field, values)
     unit_t, ft = time_scale(rows["time"][-1] if len(rows["time"]) else 1.0)
     for colour, column in zip(COLOURS, columns):
         ax.plot(rows["time"] * ft, rows[field][:, column] * factor, color=colour)
     _time_axis(ax, rows["time"] if times is None else np.array(times), unit_t, ft)
-    last = -1 if times is None else max(min(int(np.searchsorted(rows["time"], times[1])), len(values)) - 1, 0)
+    last = len(values) - 1 if times is None else max(min(int(np.searchsorted(rows["time"], times[1])), len(values)) - 1, 0)
     ax.set_ylabel(labelled(words, unit))
     quiet_grid(ax)
     if limits is not None:
         ax.set_ylim(*(edge * factor for edge in limits))
     if columns:
         low, high = ax.get_ylim()
-        ends = values[last] * factor
+        seen = (line[np.isfinite(line)] for line in values[: last + 1].T)
+        ends = [line[-1] * factor if len(line) else low for line in seen]
         beyond = (" (above)" if end > high else " (below)" if end < low else "" for end in ends)
         label_lines(ax, [known[k] + where for k, where in zip(columns, beyond)], ends, COLOURS)
     return ax

@@ -151,7 +151,7 @@ class Solver(Protocol):
         ...
 
     def counts(self) -> dict[str, int]:
-        """How often each of `COUNTS` happened so far; `NO_COUNTS` where nothing opens."""
+        """How often each of those of `COUNTS` happened so far that the solver follows; `NO_COUNTS` where nothing opens."""
         ...
 
     def largest_velocity_jump(self) -> dict[str, float]:

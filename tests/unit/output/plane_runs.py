@@ -90,6 +90,9 @@ class Moving(NothingToAdd):
     def exchanges(self):
         return {f"work {name}": self.time for name in self.problem.mesh.chains}
 
+    def all_zones(self):
+        return self.state().zones
+
     def kinetic_energy(self):
         return 5.0
 

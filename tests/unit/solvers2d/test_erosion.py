@@ -8,6 +8,7 @@ from contact_builders import Contact2D, N, Z, al, meeting, ran
 from plane_builders import aluminium, box, problem
 
 from hugoniot.core import team
+from hugoniot.diagnostics.budgets2d import PlaneBudget
 from hugoniot.diagnostics.gauges2d import Sampler
 from hugoniot.errors import DeckError
 from hugoniot.mesh.shapes import Box
@@ -78,9 +79,29 @@ def test_observers_see_no_numbers_where_zones_have_left():
     assert np.array_equal(state.zones["eroded"], gone)
     first = int(np.flatnonzero(gone)[0])
     place = tuple(given.mesh.nodes[:, given.mesh.zone_nodes[first]].mean(axis=1))
-    read = Sampler(dataclasses.replace(given, gauges=(Gauge2D("g", "point", place),)))(state)
-    assert np.isnan(read["pressure"][0])
-    assert np.isfinite(read["velocity_y"][0])      # of its nodes, which fly on
+    nose, tail = (given.mesh.chains[f"rod.{side}"] for side in ("bottom", "top"))
+    gauges = Gauge2D("g", "point", place), Gauge2D("nose", "edge", on="rod.bottom"), Gauge2D("tail", "edge", on="rod.top")
+    slit, side = Gauge2D("slit", "slit", (1e-3, 0.0), "rod.bottom", (0.0, -1.0)), Gauge2D("face", "edge", on="target.top")
+    read = Sampler(dataclasses.replace(given, gauges=(*gauges, slit, side)))(state)
+    assert gone[nose.zones].all() and not gone[tail.zones].any()
+    lost = [True, True, False, True, False]      # what flies on of a zone is no longer the material of a gauge
+    for name in ("pressure", "velocity_y", "position_x"):
+        assert np.isnan(read[name]).tolist() == lost
+    assert np.isnan(read["line_velocity"]).all()
+    face, area = given.mesh.chains["target.top"], np.diff(given.mesh.nodes[0, given.mesh.chains["target.top"].nodes] ** 2)
+    left = ~gone[face.zones]
+    assert 0 < left.sum() < len(left)
+    mean = (area * np.where(left, state.zones["pressure"][face.zones], 0.0))[left].sum() / area[left].sum()
+    assert read["pressure"][4] == pytest.approx(mean, rel=1e-12)
+
+
+@pytest.mark.parametrize("mass", ["kept", "dropped"])
+def test_the_energies_of_the_regions_add_up_to_what_the_run_began_with(mass):
+    solver = ran(rod(mass))
+    parts = PlaneBudget(solver.problem)(solver.state(), solver.kinetic_energy(), solver.all_zones())
+    gone = solver.results()["eroded_energy"] if mass == "dropped" else 0.0
+    assert parts["kinetic_energy"].sum() + parts["internal_energy"].sum() + gone == pytest.approx(solver.start_energy, rel=1e-12)
+    assert parts["plastic_work"].min() > 0.0
 
 
 def test_a_zone_of_a_short_step_leaves():

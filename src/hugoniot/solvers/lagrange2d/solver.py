@@ -32,7 +32,7 @@ from hugoniot.solvers.lagrange2d.rings import Rings
 from hugoniot.solvers.lagrange2d.rows_of_blocks import alike, cells, ghost_tables, gradient_rows, node_rows, zone_rows
 from hugoniot.solvers.lagrange2d.shown import Shown
 from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes, widths
-from hugoniot.solvers.protocol import NO_COUNTS, Event, NothingToAdd
+from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State2D
 
 NAME = "lagrange2d"
@@ -156,8 +156,8 @@ class Lagrange2D(Shown, NothingToAdd):
         return int(self.counters[L.CAP_COUNT])
 
     def counts(self) -> dict[str, int]:
-        """How often the tension of a failing zone was held; no voids open."""
-        return {**NO_COUNTS, "tension_cap_acted": self.capped}
+        """How often the tension of a failing zone was held; voids and separating surfaces are not counted."""
+        return {"tension_cap_acted": self.capped}
 
     def limiting(self) -> tuple[int, str]:
         """(zone, block name) with the shortest transit time."""
@@ -247,6 +247,10 @@ class Lagrange2D(Shown, NothingToAdd):
     def phases(self) -> np.ndarray | None:
         """Burn fraction, density and energy of the reactants and of the products, (5, nzone); None where nothing burns."""
         return self.charge[[B.lam, B.rho_r, B.e_r, B.rho_p, B.e_p]] if self.burning else None
+
+    def all_zones(self) -> dict[str, np.ndarray]:
+        """Fields of zones (views), also of those that have left the mesh, as they were then."""
+        return accounts.zone_fields(self.zones)
 
     def kinetic_energy(self) -> float:
         """J per metre or per radian."""
