@@ -8,7 +8,17 @@ import typer
 from hugoniot.cli.show import echo_table
 from hugoniot.output.columns import PER_AREA
 from hugoniot.output.run import Run
-from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest_rows, is_lower_bound, spall_numbers, warnings_of
+from hugoniot.output.run_numbers import (
+    GAUGE_UNITS,
+    IN_PLANE,
+    SPALL,
+    eroded_rows,
+    gauge_rows,
+    highest_rows,
+    is_lower_bound,
+    spall_numbers,
+    warnings_of,
+)
 from hugoniot.units import format_si
 
 
@@ -21,12 +31,14 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
                + (f", of which {compiling:.2f} s compiling, once for this machine" if compiling >= 0.01 else ""))
     errors = [f"{word} {s[key]:.1e}" for word, key in (("mass", "mass_error"), ("momentum", "momentum_error"), ("energy", "energy_error"))
               if isinstance(s.get(key), (int, float))]
+    counted = s.get("solver") not in ("shock_structure", "lagrange2d")
+    typer.echo(f"relative errors: {', '.join(errors)}" + (
+        f"; voids opened {s.get('voids_opened', 0)}, closed {s.get('voids_closed', 0)}, interfaces separated "
+        f"{s.get('interfaces_separated', 0)}" if counted else ""))
     if s.get("solver") == "shock_structure":
-        typer.echo(f"relative errors: {', '.join(errors)}")
         _echo_structure(run)
-    else:
-        typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, "
-                   f"closed {s.get('voids_closed', 0)}, interfaces separated {s.get('interfaces_separated', 0)}")
+    if "zones_eroded" in s:
+        typer.echo("eroded: " + ", ".join(f"{name} {value}" for name, value in eroded_rows(run)))
     if "contact_heat" in s:
         unit = "J" + PER_AREA[run.setup["geometry"]]
         typer.echo(f"contact: heat {format_si(s['contact_heat'], unit)}, work of friction {format_si(s['friction_work'], unit)}, "
@@ -40,6 +52,8 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
         heads = [key for key in rows[0] if key != "gauge"]
         echo_table(["gauge", *[h.replace("_", " ") for h in heads]],
                    [[r["gauge"], *["none" if np.isnan(r[h]) else format_si(r[h], GAUGE_UNITS[h], 5) for h in heads]] for r in rows])
+        if "axes" in run.setup:
+            typer.echo(IN_PLANE)
     _echo_spall(run)
     typer.echo("")
     for warning in warnings_of(run):

@@ -40,14 +40,14 @@ def shape_of(rows: Mapping, name: str) -> tuple[int, ...]:
 
 
 def extent(rows: Mapping, name: str) -> tuple[float, float]:
-    """The least and the largest value of a column; NaN if one is among them."""
+    """The least and the largest value of a column, without those that are missing (NaN); NaN if all are."""
     return rows.extent(name) if isinstance(rows, Columns) else _extent_of(rows[name])
 
 
 def _extent_of(found) -> tuple[float, float]:
     blocks = [found] if isinstance(found, np.ndarray) else found
-    ends = np.array([(np.min(block), np.max(block)) for block in blocks], dtype=float)
-    return float(np.min(ends[:, 0])), float(np.max(ends[:, 1]))
+    ends = np.array([(np.fmin.reduce(block, axis=None), np.fmax.reduce(block, axis=None)) for block in blocks], dtype=float)
+    return float(np.fmin.reduce(ends[:, 0])), float(np.fmax.reduce(ends[:, 1]))
 
 
 def history(rows: Mapping, name: str, k: int) -> np.ndarray:

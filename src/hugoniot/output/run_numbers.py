@@ -7,6 +7,7 @@ import numpy as np
 from hugoniot.diagnostics.arrival import arrivals
 from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.diagnostics.velocimetry import durations, flat_stretch, level_over
+from hugoniot.output.columns import PER_AREA
 from hugoniot.output.run import Run, largest_value
 from hugoniot.output.spall_reading import NOISE, spall_reading
 from hugoniot.output.spall_records import SURFACE, surface_record
@@ -15,7 +16,10 @@ from hugoniot.units import format_si
 OVERSHOOT = 2.0       # times the highest of all others: more than a third above it was never seen in a shock that has left those zones
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
 GAUGE_UNITS = {"arrival": "s", "second_arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa",
+               "peak_pressure": "Pa", "plateau_pressure": "Pa", "lowest_pressure": "Pa",
                "peak_velocity": "m/s", "plateau_velocity": "m/s", "last_velocity": "m/s"}
+IN_PLANE = ("velocity: the speed of a material point; along the outward normal on a side (on a joint, from its first block to its second); "
+            "along a line of sight")
 SPALL = (("peak_velocity", "velocity before the pull-back", "m/s"), ("pull_back", "pull-back", "m/s"),
          ("spall_strength_acoustic", "spall strength, acoustic", "Pa"),
          ("spall_strength_kanel", "spall strength with Kanel's correction", "Pa"),
@@ -31,6 +35,9 @@ def gauge_rows(run: Run) -> list[dict]:
     """Per gauge, SI: arrival of the first wave in the velocity (`diagnostics.arrival`; NaN where nothing came), then peak, plateau and
     end of stress and velocity.
 
+    In two dimensions material points have the pressure in place of the stress, and `IN_PLANE` says which velocity a gauge has; the arrival
+    at a point is that of a change of its velocity as a vector. A gauge whose zone or surface is lost counts up to then and has no end.
+
     `second_arrival`, that of the plastic wave behind a precursor, stands in all rows if a gauge of the run has one, else in none. A peak
     may be the short overshoot of a numerical shock; the plateaus are the levels of one flat top without it, behind the first wave: that of
     the stress, and the velocity over the same time. Where the top of the stress is not flat, it is that of the change of velocity, if the
@@ -39,19 +46,30 @@ def gauge_rows(run: Run) -> list[dict]:
     """
     rows = []
     table = run.arrays("gauges") if run.gauge_names() else {}
-    largest = {name: largest_value(run, name) for name in ("velocity", "stress")}
+    plane = "axes" in run.setup
+    word = "pressure" if plane else "stress"
+    largest = {name: largest_value(run, name) for name in ("velocity", word)}
     noise = NOISE * largest["velocity"]
     names = run.gauge_names()
     side_of = sides(run.setup["gauges"])
+    kinds = {gauge["name"]: gauge["kind"] for gauge in run.setup["gauges"]} if plane else {}
     for k, name in enumerate(names):
-        time, velocity = table["time"], without_round_off(_velocity(table, k), largest["velocity"])
+        velocity, change = _velocity(table, k, kinds.get(name, ""))
+        end = _end(velocity)
+        time = table["time"][:end]
+        velocity, change = (without_round_off(values[:end], largest["velocity"]) for values in (velocity, change))
         if name in side_of and np.array_equal(velocity, table["velocity"][:, names.index(side_of[name])]):
             continue     # the interface gauge has it
         row: dict = {"gauge": name}
-        peak = np.max(np.abs(velocity - velocity[0]))
-        row["arrival"], row["second_arrival"] = arrivals(time, velocity) if peak > noise else (float("nan"), float("nan"))
-        stress = without_round_off(table["stress"][:, k], largest["stress"]) if "stress" in table else None
-        row |= _levels(time, velocity, stress, row["arrival"], peak > noise)
+        moved = bool(np.max(np.abs(change - change[0])) > noise)
+        row["arrival"], row["second_arrival"] = arrivals(time, change) if moved else (float("nan"), float("nan"))
+        stress = without_round_off(table[word][:end, k], largest[word]) if word in table and kinds.get(name, "point") == "point" else None
+        levels = _levels(time, velocity, change, stress, row["arrival"], moved)
+        if word in table:
+            row |= {f"{part}_{word}": levels.get(part, float("nan")) for part in ("peak", "plateau", "lowest")}
+        row |= {f"{part}_velocity": levels[f"{part}_velocity"] for part in ("peak", "plateau", "last")}
+        if end < len(table["time"]):
+            row["last_velocity"] = float("nan")
         rows.append(row)
     if all(np.isnan(row["second_arrival"]) for row in rows):
         for row in rows:
@@ -59,20 +77,19 @@ def gauge_rows(run: Run) -> list[dict]:
     return rows
 
 
-def _levels(time, velocity, stress, arrival: float, moved: bool) -> dict[str, float]:
-    """Peak, plateau and end of a gauge's stress (None: not recorded) and velocity; `moved` is whether the velocity changed."""
+def _levels(time, velocity, change, stress, arrival: float, moved: bool) -> dict[str, float]:
+    """Peak, plateau and lowest of a gauge's stress (None: not recorded), and peak, plateau and end of its velocity; `change` is the
+    record in which waves arrive, `moved` whether it changed."""
     first = int(np.searchsorted(time, arrival)) if np.isfinite(arrival) else 0
     weight, free = durations(time[first:]), stress is None or (moved and not stress.any())
-    nothing, found, change = float("nan"), {}, np.abs(velocity - velocity[0])[first:]
+    nothing, found, change = float("nan"), {}, np.abs(change - change[0])[first:]
     top, level = flat_stretch(weight, change if free else stress[first:])
     if not (free or np.isfinite(level)):     # at a start-up the stress may exceed its level many times, the velocity by half
         top, _ = flat_stretch(weight, change)
         level = level_over(weight, stress[first:], top)
         top, level = (top, level) if level > 0.0 else (slice(0, 0), nothing)
-    if stress is not None:
-        found = {"peak_stress": nothing if free else float(stress.max()),
-                 "plateau_stress": nothing if free else level,
-                 "lowest_stress": nothing if free else float(stress.min())}
+    if not free:
+        found = {"peak": float(stress.max()), "plateau": level, "lowest": float(stress.min())}
     largest = float(np.max(np.abs(velocity)))
     return found | {"peak_velocity": float(velocity[np.argmax(np.abs(velocity))]),
                     "plateau_velocity": level_over(weight, velocity[first:], top, largest), "last_velocity": float(velocity[-1])}
@@ -83,14 +100,19 @@ def without_round_off(values: np.ndarray, largest: float) -> np.ndarray:
     return np.where(np.abs(values) > ROUND_OFF * largest, values, 0.0)
 
 
-def _velocity(table: dict, k: int) -> np.ndarray:
-    """What gauge k has for a velocity: in two dimensions that along its line of sight, or the speed."""
-    if "velocity" in table:
-        return table["velocity"][:, k]
-    along = table.get("line_velocity")
-    if along is not None and np.isfinite(along[:, k]).all():
-        return along[:, k]
-    return np.hypot(table["velocity_x"][:, k], table["velocity_y"][:, k])
+def _velocity(table: dict, k: int, kind: str) -> tuple[np.ndarray, np.ndarray]:
+    """What gauge k has for a velocity, and the record in which its waves arrive; kind: of a gauge in two dimensions."""
+    name = {"": "velocity", "edge": "normal_velocity", "slit": "line_velocity"}.get(kind, "")
+    if name in table:      # normal_velocity is missing from runs of earlier versions
+        return table[name][:, k], table[name][:, k]
+    found, other = (table[name][:, k] for name in ("velocity_x", "velocity_y"))
+    return np.hypot(found, other), np.hypot(found - found[0], other - other[0])
+
+
+def _end(velocity: np.ndarray) -> int:
+    """How many values a record has before the first that is missing, at least one."""
+    missing = np.isnan(velocity)
+    return max(int(missing.argmax()), 1) if missing.any() else len(velocity)
 
 
 def spall_numbers(run: Run) -> dict:
@@ -149,6 +171,16 @@ def _place(region: str, centre: list[float]) -> str:
     """Where a zone was at t = 0."""
     coordinates = ", ".join(format_si(x, "m", 4) for x in centre)
     return f"{region}, initially at {coordinates if len(centre) == 1 else f'({coordinates})'}" if centre else region
+
+
+def eroded_rows(run: Run) -> list[tuple[str, str]]:
+    """(what, its value) of the zones that have left the mesh, in words; none in a run without erosion."""
+    s, per = run.summary, PER_AREA.get(run.setup["geometry"], "")
+    if "zones_eroded" not in s:
+        return []
+    whose = "energy" if "eroded_momentum_y" in s else "internal energy"      # what is dropped takes its kinetic energy along
+    return [("zones", str(s["zones_eroded"])), ("mass", format_si(s["eroded_mass"], "kg" + per)),
+            (whose, format_si(s["eroded_energy"], "J" + per))]
 
 
 def warnings_of(run: Run) -> list[str]:

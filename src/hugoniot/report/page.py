@@ -6,7 +6,7 @@ from collections.abc import Callable
 from hugoniot.output.atomic import write_whole
 from hugoniot.output.columns import PER_AREA
 from hugoniot.output.run import Run, load
-from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest_rows, is_lower_bound, spall_numbers
+from hugoniot.output.run_numbers import GAUGE_UNITS, IN_PLANE, SPALL, eroded_rows, gauge_rows, highest_rows, is_lower_bound, spall_numbers
 from hugoniot.output.seal import sealed
 from hugoniot.output.spall_records import SURFACE, surface_record
 from hugoniot.page import one_run
@@ -36,6 +36,7 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
     if summary.get("cells_halved"):
         finest = f"<small>to 1/{2 ** int(summary['finest_halving'])} of a zone</small>"
         rows.append(("cells halved where they burn fast", f"{summary['cells_halved']:.0f}{finest}"))
+    rows += [(f"eroded {name}", value) for name, value in ((name, printed(value)) for name, value in eroded_rows(run))]
     if "contact_heat" in summary:
         unit = "J" + PER_AREA[run.setup["geometry"]]
         rows += [("heat from contact", number(summary["contact_heat"], unit)), ("work of friction", number(summary["friction_work"], unit))]
@@ -111,9 +112,10 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
     solver = setup["solver"]["kind"] + (f" ({setup['solver']['integrator']})" if setup["solver"]["kind"].startswith("lagrange") else "")
     intro = (f"{text(setup['geometry'])}, solver {text(solver)}, "
              f"hugoniot {text(setup['version'])}; status: {text(summary['status'])}")
+    velocities = IN_PLANE if "axes" in setup else ""
     body = "".join([
         f"<h1>{title}</h1><p class=quiet>{intro}</p>", sections.cautions(sections.warnings(run)),
-        _section("At the gauges", sections.gauges(gauge_rows(run), GAUGE_UNITS)), sections.cards(key_numbers(run)),
+        _section("At the gauges", sections.gauges(gauge_rows(run), GAUGE_UNITS, velocities)), sections.cards(key_numbers(run)),
         _section("Set-up", _figure(pictures, "setup")),
         _section("Shock structure", sections.structure(summary), _figure(pictures, "structure"), _figure(pictures, "structure_terms")),
         _section("Wave diagram", _figure(pictures, "wave")),

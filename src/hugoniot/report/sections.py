@@ -131,14 +131,15 @@ _THICKNESSES = (
 )
 
 
-def gauges(rows: list[dict], units: dict[str, str]) -> str:
-    """The numbers of the gauges (`output.run_numbers.gauge_rows`), as the terminal shows them."""
+def gauges(rows: list[dict], units: dict[str, str], note: str = "") -> str:
+    """The numbers of the gauges (`output.run_numbers.gauge_rows`), as the terminal shows them, and a note below."""
     if not rows:
         return ""
     heads = [key for key in rows[0] if key != "gauge"]
     lines = [(text(row["gauge"]), *("none" if math.isnan(row[h]) else number(float(f"{row[h]:.5g}"), units[h]) for h in heads))
              for row in rows]
-    return table(("gauge", *(h.replace("_", " ") for h in heads)), lines, stacked=True)
+    below = f"<p class=quiet>{text(note)}.</p>" if note else ""
+    return table(("gauge", *(h.replace("_", " ") for h in heads)), lines, stacked=True) + below
 
 
 def structure(summary: dict) -> str:

@@ -137,7 +137,7 @@
   const nearestExported = (run, shown, k) => { for (let d = 0; d < run.times.length; d++) for (const r of [k - d, k + d]) if (window.hugoniotFiles[`array&group=snapshots&name=${shown.name}&record=${r}&run=${chosen()}`]) return r; return k; };
   // -- histories ---------------------------------------------------------------------------------------------------------
   async function drawHistories(run, mine, at) {
-    const fields = run.gauge_fields || [], shown = fillSelect(gaugeField, fields, H.get("gf"), ["velocity", "line_velocity", "stress", "pressure"]), lineList = [];
+    const fields = run.gauge_fields || [], shown = fillSelect(gaugeField, fields, H.get("gf"), ["velocity", "line_velocity", "normal_velocity", "stress", "pressure"]), lineList = [];
     const picked = H.get("g") === "" ? run.gauges.map((_, k) => k).slice(0, 8) : H.get("g") === "none" ? [] : H.list("g").map(Number);
     H.clear(gauges).append(...run.gauges.slice(0, 24).map((name, k) => H.h("label", {}, H.h("input", {type: "checkbox", checked: picked.includes(k), onchange: event => { const next = event.target.checked ? [...picked, k].sort((a, b) => a - b) : picked.filter(p => p !== k); H.set({g: next.join(",") || "none"}); }}), name)));
     if (shown && run.gauge_times) lineList.push(...await gaugeLines(run, chosen(), shown.name, picked, "", null));
@@ -208,7 +208,7 @@
       H.h("details", {}, H.h("summary", {class: "small"}, "run.log"), H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px"}}, (run.log || []).join("\n"))));
   }
   function drawFacts(run) {
-    const n = run.numbers || {}, rows = n.gauges || [], units = {arrival: ["arrival", "µs", 1e6], second_arrival: ["second arrival", "µs", 1e6], peak_stress: ["peak stress", "GPa", 1e-9], peak_velocity: ["peak velocity", "m/s", 1]};
+    const n = run.numbers || {}, rows = n.gauges || [], units = {arrival: ["arrival", "µs", 1e6], second_arrival: ["second arrival", "µs", 1e6], peak_stress: ["peak stress", "GPa", 1e-9], peak_pressure: ["peak pressure", "GPa", 1e-9], peak_velocity: ["peak velocity", "m/s", 1]};
     const heads = Object.keys(units).filter(key => rows.some(r => r[key] !== undefined && r[key] !== null)), spall = n.spall || {}, s = run.summary || {};
     H.clear(facts).append(H.h("h2", {}, run.title), H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, [run.geometry, s.solver, run.zones ? `${run.zones} zones` : "", s.cycles ? `${s.cycles} cycles` : "", run.every > 1 ? `1 record in ${run.every} is shown` : ""].filter(Boolean).join(", ")),
       s.energy_error === undefined ? "" : H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, `relative errors: ${["mass", "momentum", "energy"].map(w => `${w} ${s[`${w}_error`] === null ? "–" : Number(s[`${w}_error`]).toExponential(1)}`).join(", ")}`),
