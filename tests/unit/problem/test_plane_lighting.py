@@ -113,6 +113,19 @@ def test_a_line_of_detonators_lights_a_plane_front():
     assert np.allclose(node_lighting_times(problem), 1e-6 + problem.mesh.nodes[0] / 2000.0, rtol=1e-12)
 
 
+def test_a_line_lights_every_node_from_its_nearest_point():
+    """However many nodes lie between points of it; about the corner of an L the front goes from the point nearest to the corner."""
+    blocks = [("a", "he", box((0.0, 4.0), (0.0, 2.0), (8, 300))), ("b", "he", box((0.0, 4.0), (2.0, 4.0), (8, 150))),
+              ("c", "he", box((4.0, 8.0), (0.0, 2.0), (8, 300)))]
+    problem = read(deck(blocks, [((0.0, 3.0), 1e-6, (0.0, 3.9))]))
+    x, y = problem.mesh.nodes
+    straight = np.hypot(x, y - np.clip(y, 3.0, 3.9))
+    hidden = (x > 4.0) & (3.0 - (3.0 - y) * 4.0 / np.where(x > 0.0, x, 1.0) > 2.0)
+    way = np.where(hidden, np.hypot(4.0, 1.0) + np.hypot(x - 4.0, y - 2.0), straight)
+    assert hidden.sum() > 100
+    assert np.abs(node_lighting_times(problem) - 1e-6 - way / 2000.0).max() < 1e-12
+
+
 def test_an_unlit_explosive_is_a_mistake_of_the_deck():
     blocks = [("a", "he", box((0.0, 1.0), (0.0, 1.0), (2, 2))), ("c", "copper", box((1.0, 2.0), (0.0, 1.0), (2, 2))),
               ("b", "he", box((2.0, 3.0), (0.0, 1.0), (2, 2)))]

@@ -93,12 +93,15 @@ def first_arrivals(points, walls: Walls, sources, times, detonation_velocity: fl
     """Time at which the front reaches each point, s; inf where no path leads.
 
     points           (n, 2), m, in the explosive or on its outline
-    sources, times   (m, 2) and (m,): where fronts start, and when
+    sources, times   (m, 2) or (m, 2, 2), and (m,): where fronts start, at points or along straight lines (both ends), and when
     """
-    points, sources, times = np.asarray(points, float), np.asarray(sources, float).reshape(-1, 2), np.asarray(times, float)
+    points, times = np.asarray(points, float), np.asarray(times, float)
+    sources = np.asarray(sources, float)
+    sources = np.repeat(sources.reshape(-1, 1, 2), 2, axis=1) if sources.ndim < 3 else sources
     corners = _corner_times(walls, sources, times, detonation_velocity)
     lit = np.isfinite(corners)
-    places, when = np.concatenate([sources, walls.corners[lit]]), np.concatenate([times, corners[lit]])
+    places = np.concatenate([sources, np.repeat(walls.corners[lit][:, None], 2, axis=1)])
+    when = np.concatenate([times, corners[lit]])
     best = np.full(len(points), np.inf)
     rows = max(1, _CHUNK // max(1, len(places)))
     for first in range(0, len(points), rows):
@@ -112,9 +115,13 @@ def first_arrivals(points, walls: Walls, sources, times, detonation_velocity: fl
 def _earliest_seen(points, walls: Walls, places, when, speed: float, usable=None) -> np.ndarray:
     """Of every point the earliest arrival from a place that sees it: tried in order of arrival, the first that sees it counts.
 
+    places   (nplace, 2, 2): both ends of each; of a line the point nearest to each point counts, from where the shortest path to it leaves
     usable   (npoint, nplace): which places to try; default all
     """
-    arrival = when + np.hypot(*(points[:, None] - places).transpose(2, 0, 1)) / speed
+    start, along = places[:, 0], places[:, 1] - places[:, 0]
+    share = ((points[:, None] - start) * along).sum(axis=2) / np.maximum((along**2).sum(axis=1), 1e-300)
+    nearest = start + np.clip(share, 0.0, 1.0)[..., None] * along
+    arrival = when + np.hypot(*(points[:, None] - nearest).transpose(2, 0, 1)) / speed
     if usable is not None:
         arrival[~usable] = np.inf
     best = np.full(len(points), np.inf)
@@ -122,7 +129,7 @@ def _earliest_seen(points, walls: Walls, places, when, speed: float, usable=None
     while waiting.size and len(places):
         chosen = arrival[waiting].argmin(axis=1)
         first = arrival[waiting, chosen]
-        seen = ~walls.hide(places[chosen], points[waiting])
+        seen = ~walls.hide(nearest[waiting, chosen], points[waiting])
         best[waiting[seen]] = first[seen]
         arrival[waiting, chosen] = np.inf
         waiting = waiting[~seen & np.isfinite(first)]

@@ -18,7 +18,7 @@ from hugoniot.problem.explosives import front_speed
 
 _NEAR = 1e-6       # of a body's size: a detonator this near its outline stands on it
 _EARLIER = 1e-12   # of the time so far: what counts as earlier
-_ON_A_LINE = 65    # points that stand for a line of detonators
+_ON_A_LINE = 65    # points of a line of detonators, at which it is seen in which bodies it lies
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +75,7 @@ def node_lighting_times(problem) -> np.ndarray:
         body = found[k]
         entered = np.unique(np.concatenate([border for (a, _), border in borders.items() if a == k] or [np.empty(0, dtype=int)]))
         entered = entered[np.isfinite(times[entered])]
-        places = [place for place, _ in sources[k]] + list(mesh.nodes[:, entered].T)
+        places = [line for line, _ in sources[k]] + [np.array([place, place]) for place in mesh.nodes[:, entered].T]
         when = [time for _, time in sources[k]] + list(times[entered])
         arrival = first_arrivals(mesh.nodes[:, body.nodes].T, body.walls, places, when, body.speed)
         better = body.nodes[arrival < times[body.nodes] * (1.0 - _EARLIER)]
@@ -109,17 +109,15 @@ def zone_lighting_times(problem) -> np.ndarray:
 
 
 def _started(problem, found: list[Body]) -> list[list[tuple[np.ndarray, float]]]:
-    """Of every body the detonators in it: (place, time)."""
+    """Of every body the detonators in it: (both ends of a line, which are one place for a point, time)."""
     started: list[list[tuple[np.ndarray, float]]] = [[] for _ in found]
     for point in problem.lighting:
-        ends = [np.array(point.at)] if point.to is None else list(np.linspace(point.at, point.to, _ON_A_LINE))
-        anywhere = False
-        for place in ends:
-            for k, body in enumerate(found):
-                if holds(problem.mesh, body, place):
-                    started[k].append((place, point.time))
-                    anywhere = True
-        if not anywhere:
+        places = np.array([point.at]) if point.to is None else np.linspace(point.at, point.to, _ON_A_LINE)
+        held = np.array([[holds(problem.mesh, body, place) for place in places] for body in found])
+        for k, within in enumerate(held):
+            edges = np.flatnonzero(np.diff(np.concatenate(([0], within, [0]))))      # the pieces of a line that lie in the body
+            started[k] += [(places[[first, last - 1]], point.time) for first, last in zip(edges[::2], edges[1::2])]
+        if not held.any():
             raise OutOfRange(f"the detonator at ({point.at[0]:g}, {point.at[1]:g}) m is not inside an explosive with a programmed burn")
     return started
 
