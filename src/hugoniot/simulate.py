@@ -244,21 +244,23 @@ def _note_extrapolation(folder: RunFolder, problem: Problem, solver: Solver, war
 
 def _doubts(problem: Problem, solver: Solver) -> list[str]:
     """Warnings of a finished run of the hydrocode: tension that no solid carries, echoes of transmitting ends, coarse spall planes."""
+    from hugoniot.diagnostics.tension import overstretched
+
     pulled = getattr(solver, "tensions", None)      # of tracked fronts, by regions
     if pulled is not None:
-        from hugoniot.diagnostics.tension import overstretched
-
         return overstretched(problem, np.arange(len(pulled)), pulled)
-    if problem.solver.kind != "lagrange1d":
+    if problem.solver.kind not in ("lagrange1d", "lagrange2d"):
         return []
-    from hugoniot.diagnostics.spall_planes import unresolved
-    from hugoniot.diagnostics.tension import overstretched
-    from hugoniot.diagnostics.transmitting import measured
-    from hugoniot.solvers.lagrange1d.transmitting import missing
-
     peaks = solver.peaks()
-    return [*overstretched(problem, solver.region_of, peaks["peak_tension"]),
-            *measured(problem, peaks["peak_stress"], missing(solver.control)), *unresolved(problem, solver.segments, solver.region_of)]
+    found = overstretched(problem, solver.region_of, peaks["peak_tension"])
+    if problem.solver.kind == "lagrange1d":
+        from hugoniot.diagnostics.spall_planes import unresolved
+        from hugoniot.diagnostics.transmitting import measured
+        from hugoniot.solvers.lagrange1d.transmitting import missing
+
+        found += measured(problem, peaks["peak_stress"], missing(solver.control))
+        found += unresolved(problem, solver.segments, solver.region_of)
+    return found
 
 
 def _meta(problem: Problem, solver) -> dict[str, Any]:

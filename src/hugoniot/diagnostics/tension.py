@@ -5,6 +5,7 @@ import numpy as np
 from hugoniot.materials import schema
 from hugoniot.materials.library import curated_name, find, spall_row
 from hugoniot.problem.model import Problem
+from hugoniot.problem.plane.model import Problem2D
 from hugoniot.units import format_si
 
 MULTIPLE = 3.0     # of a spall strength: measured ones grow that much from slow to fast loading
@@ -23,7 +24,7 @@ def spall_scale(name: str) -> tuple[float, str]:
     return strength, f"the largest spall strength in the library, {format_si(strength, 'Pa', 3)} ({largest.material})"
 
 
-def overstretched(problem: Problem, region_of: np.ndarray, peak_tension: np.ndarray) -> list[str]:
+def overstretched(problem: Problem | Problem2D, region_of: np.ndarray, peak_tension: np.ndarray) -> list[str]:
     """A warning for every region without a fracture law that met more tension (Pa, (nzone,)) than MULTIPLE times a spall strength."""
     found = []
     for k, region in enumerate(problem.regions):

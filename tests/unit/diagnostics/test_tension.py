@@ -11,6 +11,7 @@ from hugoniot.diagnostics.tension import MULTIPLE, overstretched, spall_scale
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.materials.material import Material
+from hugoniot.problem.deck import read_deck_text
 from hugoniot.problem.model import OutputOptions, Problem, Region
 
 TABLE = pathlib.Path(hugoniot.__file__).parent / "materials" / "library" / "data" / "strength.csv"
@@ -52,3 +53,20 @@ def test_what_a_material_is_based_on_decides_not_its_name(name):
 def test_a_run_of_steel_that_cannot_break_warns(tmp_path):
     run = hugoniot.run(problem(speed=1000.0), tmp_path / "run")
     assert any("more than 3 times" in str(text) for text in run.arrays("events")["text"])
+
+
+def test_in_two_dimensions_the_same_impact_warns_of_the_same_regions(tmp_path):
+    """Plates of copper between frictionless walls, in one dimension and as a strip of two zones across."""
+    line = 'stop_time = "1.1 us"\n' + "".join(
+        f'[[region]]\nname = "{name}"\nmaterial = "copper"\nfrom = "{a} mm"\nto = "{b} mm"\nzones = {20 * (b - a)}\nvelocity = "{v} m/s"\n'
+        for name, a, b, v in (("flyer", 0, 1, 1500), ("plate", 1, 3, 0)))
+    strip = 'geometry = "plane"\nstop_time = "1.1 us"\n' + "".join(
+        f'[[block]]\nname = "{name}"\nmaterial = "copper"\nx = ["{a} mm", "{b} mm"]\ny = ["0 mm", "0.1 mm"]\nzones = [{20 * (b - a)}, 2]\n'
+        f'velocity = ["{v} m/s", "0 m/s"]\n' for name, a, b, v in (("flyer", 0, 1, 1500), ("plate", 1, 3, 0)))
+    strip += '[[boundary]]\non = ["flyer.bottom", "flyer.top", "plate.bottom", "plate.top"]\nkind = "wall"\n[solver]\nkind = "lagrange2d"\n'
+    warned = []
+    for name, text in (("line", line + '[[interface]]\nbetween = ["flyer", "plate"]\nkind = "bonded"\n'), ("strip", strip)):
+        deck = read_deck_text(text + '[material.copper]\nbase = "copper"\nfracture = "none"\n[output]\nreport = false\n')
+        texts = hugoniot.run(deck, tmp_path / name).arrays("events")["text"]
+        warned.append({str(text).split("'")[1] for text in texts if "more than 3 times" in str(text)})
+    assert warned[0] == warned[1] != set()
