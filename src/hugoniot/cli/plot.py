@@ -76,7 +76,7 @@ def command(
         path = out or folder / f"{'-'.join(word for word in (kind, field) if word)}.png"
         drawable(path, "plot", "--out")
         options = _options(kind, field, gauge, time, delay) | _of_the_plane(kind, plane, line, layers)
-        limits = _limits(kind, field, x, t, shown)
+        limits = _limits(kind, field, x, t, shown, plane)
         _within(run, kind, limits[0], limits[1])
         if kind in ("xt", "gauge", "pi_plane", "map"):
             taken = {"xt": ("window", "times", "limits"), "map": ("window", "", "limits"),
@@ -90,7 +90,7 @@ def command(
         if words := partial_words(run):
             axes.figure.text(0.995, 0.005, words, ha="right", va="bottom", fontsize=8)
         with explained(path, "no picture is written"):
-            axes.figure.savefig(path)
+            axes.figure.savefig(path, bbox_inches="tight" if plane and kind == "setup" else None)      # its legend stands beside the body
         typer.echo(f"wrote {path}" + (f", {words}" if words else ""))
 
 
@@ -119,7 +119,8 @@ def _inside(run, option: str, what: str, asked: tuple[float, float], first: floa
         raise DeckError.single(run.folder, None, option, f"these {what} lie outside the run", reach)
 
 
-def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | None) -> list[tuple[float, float] | None]:
+def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | None,
+            plane: bool = False) -> list[tuple[float, float] | None]:
     """(positions, times, values) to show, SI; an axis that the picture does not have is an error."""
     from hugoniot.output.columns import describe
 
@@ -127,7 +128,7 @@ def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | No
         if text is not None and kind not in kinds:
             raise DeckError.single("plot", None, option, f"does not apply to the picture '{kind}'",
                                    f"it applies to {', '.join(kinds)}")
-    unit = "m/s" if kind == "free_surface" else describe(field or ("pressure" if kind == "map" else "stress"))[0]
+    unit = "m/s" if kind == "free_surface" else describe(field or ("pressure" if plane else "stress"))[0]
     return [None if text is None else span(text, kind_of, option)
             for option, text, kind_of in (("--x", x, "m"), ("--t", t, "s"), ("--range", shown, unit))]
 

@@ -16,8 +16,8 @@ class RunPlots:
         """Wave diagram: a field of the zones against position and time."""
         return xt(self._run, field, **options)
 
-    def gauge(self, field: str = "stress", names=None, **options):
-        """A field at the gauges `names` (default: all) against time."""
+    def gauge(self, field: str = "", names=None, **options):
+        """A field (default: the stress, or the pressure in two dimensions) at the gauges `names` (default: all) against time."""
         return records.gauge(self._run, field, names if names is None or isinstance(names, (list, tuple)) else [names], **options)
 
     def pi_plane(self, names=None, **options):

@@ -314,4 +314,5 @@ def _mark_edges_and_places(ax, record, fx, extent) -> None:
         ax.annotate(gauge["name"], at, xytext=(4, 3 + 9 * above), textcoords="offset points", fontsize=7.5)
         heights.append(at[1])
     for point in record["lighting"]:
-        ax.plot(*(np.array(point["at"]) * fx), marker="*", color=COLOURS[1], markersize=8, zorder=3)
+        ends = np.array([point["at"], point.get("to") or point["at"]]) * fx
+        ax.plot(*ends.T, marker="*", color=COLOURS[1], markersize=8, linewidth=1.5, zorder=3)

@@ -30,14 +30,16 @@ from hugoniot.units import format_si, parse
 
 
 @styled
-def gauge(run, field: str = "stress", names=None, times=None, limits=None, ax=None):
+def gauge(run, field: str = "", names=None, times=None, limits=None, ax=None):
     """One field at the gauges over time, each line with its gauge's name; gives the axes.
 
+    field   default the stress, or the pressure in two dimensions
     names   gauges to draw, default those at which the field ever changes (at most eight)
     times   (first, last) time in s; default the whole record
     limits  (lowest, highest) value in SI; default from the data. A line that ends outside is named at the edge, with "above" or "below"
     """
     rows, known = run.arrays("gauges"), run.gauge_names()
+    field = field or ("pressure" if "axes" in run.setup else "stress")
     zone_field(run, "gauges", field)
     _check_gauges(run, names or ())
     ax = ax if ax is not None else new_axes()

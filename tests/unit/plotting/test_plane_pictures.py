@@ -1,6 +1,7 @@
 """Maps, profiles, films and reports of two-dimensional runs show what the run holds."""
 
 import json
+from types import SimpleNamespace
 
 import matplotlib
 import numpy as np
@@ -13,7 +14,8 @@ from hugoniot.cli.main import main
 from hugoniot.diagnostics.stress2d import lode_angle, principal_angle, principal_deviators, von_mises
 from hugoniot.errors import DeckError
 from hugoniot.plotting.animate import animate
-from hugoniot.plotting.plane import borders
+from hugoniot.plotting.plane import borders, plane_setup
+from hugoniot.plotting.records import gauge
 from hugoniot.report import write_report
 
 matplotlib.use("Agg")
@@ -109,6 +111,25 @@ def test_the_commands_draw_and_refuse(run, tmp_path, capsys):
         assert code == 2 and words in err, err
     code, out, _ = call(capsys, "info", run.folder, "--json")
     assert code == 0 and json.loads(out)["gauges"][3]["peak_velocity"] == pytest.approx(5e-3 * GROWTH)
+
+
+def test_gauges_show_their_pressure_unless_told_otherwise_also_one_that_is_lost(run):
+    plain = run.plot.gauge()
+    assert plain.get_ylabel() == run.plot.gauge("pressure").get_ylabel() and "pressure" in plain.get_ylabel()
+    names, rows = run.gauge_names(), run.arrays("gauges")
+    lost = type("Lost", (dict,), {"shapes": rows.shapes, "kinds": rows.kinds})({**rows, "pressure": rows["pressure"].copy()})
+    lost["pressure"][-2:, names.index("inside")] = np.nan
+    seen = SimpleNamespace(setup=run.setup, folder=run.folder, gauge_names=run.gauge_names, unit=run.unit, arrays=lambda group: lost)
+    ax = gauge(seen, "pressure")
+    shown = {text.get_text(): text.get_position()[1] for text in ax.texts}
+    assert set(shown) == set(names) and np.isfinite(list(shown.values())).all()
+
+
+def test_a_line_of_detonators_is_drawn_from_end_to_end(run):
+    at, to = [0.0, 0.0], [2e-3, 1e-3]
+    lit = SimpleNamespace(setup={**run.setup, "lighting": [{"at": at, "to": to, "time": 0.0}]}, folder=run.folder, arrays=run.arrays)
+    lines = [np.array(line.get_data()).T for line in plane_setup(lit).get_lines()]
+    assert any(len(line) == 2 and np.allclose(line, 1e3 * np.array([at, to])) for line in lines)
 
 
 def test_the_report_has_setup_maps_gauges_and_budget(run):
