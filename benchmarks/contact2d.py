@@ -8,7 +8,6 @@ those few steps), on one core. Prints the median of the shares of pairs of burst
 machines differ and are noisy. A share contains what contact takes from the cache of the passes over zones.
 """
 
-import dataclasses
 import sys
 import time
 from pathlib import Path
@@ -16,7 +15,6 @@ from pathlib import Path
 import numpy as np
 
 from hugoniot.problem.deck import read_deck, read_deck_text
-from hugoniot.problem.plane.contact_model import Contact2D
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.march import march
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
@@ -45,13 +43,12 @@ velocity = ["0 m/s", "-300 m/s"]
 """ + ALUMINIUM
 
 
-def example(name, contacts=()):
-    given = read_deck(str(EXAMPLES / f"{name}.toml")).problem
-    return dataclasses.replace(given, contacts=contacts) if contacts else given
+def example(name):
+    return read_deck(str(EXAMPLES / f"{name}.toml")).problem
 
 
 PROBLEMS = {      # and the time at which they are taken
-    "flyer-disc, not glued": (lambda: example("flyer-disc", (Contact2D(("target", "flyer")),)), 1e-6),
+    "flyer-disc": (lambda: example("flyer-disc"), 1e-6),
     "gap-disc": (lambda: example("gap-disc"), 2.4e-6),
     "rod": (lambda: example("rod"), 20e-6),
     "100 zones on 100": (lambda: read_deck_text(LONG_LINE.format(zones=100), "line.toml").problem, 1e-6),

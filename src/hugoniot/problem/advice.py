@@ -21,6 +21,7 @@ SLOW = 1000.0            # m/s: no estimated range ends below it
 LONGEST_STEP = {"compatible": 0.7, "wilkins": 0.8}
 LONGEST_STEP_IN_PLANE = 0.4
 UNDERSHOOT = 0.40        # of a sudden drop of the pressure: that of the last zone in a chain of zones with a linear law
+ALIKE = 1e-6             # of a speed: what two blocks that share nodes may differ by
 NOISE = 1e-4             # of rho c^2: a tension that no interface opens under
 
 
@@ -100,7 +101,27 @@ def advice_on_blocks(problem: "Problem2D") -> list[str]:
                          f"end at a particle velocity of {limit:g} m/s")
     met = {material: 0.5 * speed for material, (speed, *_) in fastest.items()}
     speeds = {f"block '{block.name}'": float(np.hypot(*velocity).max()) for block, velocity in zip(problem.blocks, nodes)}
+    found += _joined_at_impact(problem)
     return found + _long_steps(problem.solver.courant, LONGEST_STEP_IN_PLANE) + _beyond_estimate(problem, met) + _relativistic(speeds)
+
+
+def _joined_at_impact(problem: "Problem2D") -> list[str]:
+    """Solid or liquid blocks that are joined although they move towards or away from each other, as bodies do that collide."""
+    from hugoniot.problem.plane.model import velocity_at
+
+    found = []
+    for joint in problem.mesh.joints.values():
+        a, b = (problem.blocks[k] for k in joint.blocks)
+        laws = [problem.materials[block.material].eos for block in (a, b)]
+        if a is b or None in laws or not all(map(is_condensed, laws)):
+            continue
+        x, y = problem.mesh.nodes[:, joint.edges].mean(axis=2)
+        one, other = (velocity_at(block.velocity, x, y) for block in (a, b))
+        speed = float(np.hypot(*(one - other)).max())
+        if speed > ALIKE * float(max(np.hypot(*one).max(), np.hypot(*other).max())):
+            found.append(f"'{a.name}' and '{b.name}' move at {speed:.4g} m/s relative to each other but are joined, so they "
+                         f'cannot separate afterwards; if they should, add [[contact]] with between = ["{a.name}", "{b.name}"]')
+    return found
 
 
 def _long_steps(courant: float | None, most: float) -> list[str]:

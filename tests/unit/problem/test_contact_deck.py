@@ -153,3 +153,15 @@ def test_bodies_do_not_meet_on_the_axis_with_area_weighted():
     with pytest.raises(DeckError, match="bodies cannot meet on the axis"):
         read_deck_text(text + 'scheme = "area_weighted"\n', "deck.toml")
     assert read_deck_text(text, "deck.toml").problem.solver.scheme == "true_volume"
+
+
+@pytest.mark.parametrize("speed, material, contact, warned", [
+    ("-700 m/s", "copper", False, True), ("700 m/s", "copper", False, True), ("0 m/s", "copper", False, False),
+    ("-700 m/s", "air", False, False), ("-700 m/s", "copper", True, False)])
+def test_bodies_that_collide_but_are_joined_are_warned_of(speed, material, contact, warned):
+    """Joined they would carry any tension across the face at which they collide."""
+    blocks = "".join(f'[[block]]\nname = "{name}"\nmaterial = "{material}"\nx = [0.0, 1.0]\ny = [{y}.0, {y + 1}.0]\nzones = [2, 2]\n{more}\n'
+                     for name, y, more in (("target", 0, ""), ("flyer", 1, f'velocity = ["0 m/s", "{speed}"]')))
+    law = '[[contact]]\nbetween = ["flyer", "target"]\n' if contact else ""
+    text = f'geometry = "plane"\nstop_time = "1 us"\n{blocks}{law}[solver]\nkind = "lagrange2d"\n'
+    assert any("'target' and 'flyer'" in words and "joined" in words for words in read_deck_text(text).warnings) == warned
