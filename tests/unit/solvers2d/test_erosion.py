@@ -45,6 +45,14 @@ def test_what_leaves_the_mesh_is_booked(mass, geometry):
         assert results["eroded_momentum_y"] < 0.0
 
 
+@pytest.mark.parametrize("mass", ["kept", "dropped"])
+def test_a_body_force_pushes_what_is_dropped_up_to_then(mass):
+    given = dataclasses.replace(rod(mass), body_force=(0.0, -1e8))
+    solver = ran(given)
+    assert solver.results()["zones_eroded"] >= 5
+    assert solver.errors()["momentum_y_error"] < 1e-12 and solver.errors()["energy_error"] < 1e-12
+
+
 def test_a_run_resumed_after_zones_have_left_has_the_same_bits():
     given = rod()
     whole, first = ran(given), ran(given, cycles=163)

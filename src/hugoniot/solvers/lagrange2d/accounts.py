@@ -58,11 +58,11 @@ def errors(solver) -> dict[str, float]:
     work = float(chains[:, L.CHAIN_WORK].sum() + solver.control[L.GRAVITY_WORK])
     internal = float(np.sum(zones[Z.mass] * np.abs(zones[Z.e])))
     scale = max(abs(solver.start_energy), abs(work), kinetic_energy(nodes) + internal, 1e-300)
-    weight = float(nodes[N.own].sum()) * solver.time
+    gone = solver.erosion.dropped
+    weight = float(nodes[N.own].sum()) * solver.time + gone[4]
     impulse = chains[:, [L.CHAIN_IMPULSE_X, L.CHAIN_IMPULSE_Y]].sum(axis=0) + weight * np.array(solver.problem.body_force)
     size = float(np.sum(nodes[N.own] * np.hypot(nodes[N.u], nodes[N.v])))
     size = max(size, *np.abs(solver.start_momentum), np.abs(chains[:, 1:]).max(initial=0.0), 1e-300)
-    gone = solver.erosion.dropped
     drift = np.abs(momentum(nodes) + gone[1:3] - solver.start_momentum - impulse) / size
     if solver.kind != G.PLANAR:
         drift[0] = np.nan

@@ -26,7 +26,7 @@ class Erosion:
     """The zones of a run that have left the mesh.
 
     live     (nzone,) whether a zone is in the mesh
-    dropped  mass, momentum (x, y) and energy that have left with them
+    dropped  mass, momentum (x, y) and energy that have left with them, and mass times time until then: what a body force has pushed
     """
 
     def __init__(self, solver, surfaces):
@@ -36,7 +36,7 @@ class Erosion:
             raise OutOfRange("erosion works with quads only; use solver.cells = 'quads'")
         if any(boundary.kind == "transmitting" for boundary in solver.problem.boundaries):
             raise OutOfRange("erosion and transmitting edges cannot be combined: zones at such an edge may erode; use another boundary")
-        self.live, self.dropped = np.ones(len(mesh.zone_nodes), dtype=bool), np.zeros(4)
+        self.live, self.dropped = np.ones(len(mesh.zone_nodes), dtype=bool), np.zeros(5)
         self.shares = np.concatenate([corner_shares(*quad_corners(block), solver.kind) for block in mesh.blocks], axis=1)
         start = cells(mesh)
         self.cells = np.concatenate([int(start[k]) + np.add.outer((np.arange(b.ni) + 1) * (b.nj + 2), np.arange(b.nj) + 1).ravel()
@@ -102,7 +102,7 @@ class Erosion:
                         part, np.where(part > 0.0, whole, 0.0))      # nothing of a node is left without a zone, to the last bit
         u, v = n[N.u, at], n[N.v, at]
         self.dropped += (z[Z.mass, zones].sum(), (part * u).sum(), (part * v).sum(),
-                         0.5 * (part * (u * u + v * v)).sum() + (z[Z.mass, zones] * z[Z.e, zones]).sum())
+                         0.5 * (part * (u * u + v * v)).sum() + (z[Z.mass, zones] * z[Z.e, zones]).sum(), part.sum() * solver.time)
         z[Z.mass, zones] = 0.0
         left = whole - part
         n[N.own, :numbering.total] = (left / numbering.copies)[numbering.nodes]
@@ -150,7 +150,7 @@ class Erosion:
 class NoErosion:
     """A run whose zones all stay."""
 
-    live, dropped, surfaces = None, np.zeros(4), None
+    live, dropped, surfaces = None, np.zeros(5), None
 
     def pause(self, end: int) -> int:
         return end
