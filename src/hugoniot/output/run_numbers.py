@@ -132,8 +132,8 @@ def highest(run: Run) -> dict:
     for each coordinate. Zones in which a captured shock is still forming (`diagnostics.forming`), and overshoots, do not count;
     `peaks` has them. Where they have more than that can explain, as in a wave that ends or decays before it leaves them, theirs is
     the highest, and `stress_forming` is true.
-    `surface` is the gauge of that velocity, or "free surface". A field that the run does not have is left out, and so is a tension that
-    never came, or that is the round-off of a surface at rest; the velocity is that of the spall reading where there is one.
+    `surface` is the gauge of that velocity, or "free surface". A field that the run does not have is left out, and so are a tension and a
+    velocity that never came, or that are the round-off of a surface at rest; the velocity is that of the spall reading where there is one.
     """
     peaks, found = run.arrays("peaks"), {}
     centres = [peaks[name] for name in ("centre", "centre_x", "centre_y") if name in peaks]
@@ -151,7 +151,7 @@ def highest(run: Run) -> dict:
         k = int(np.argmax(counted))
         found |= {word: float(values[k]), f"{word}_region": str(peaks["region"][k]), f"{word}_at": [float(x[k]) for x in centres]}
     seen = surface_record(run)
-    if len(seen.time) and "peak_velocity" not in spall_numbers(run):
+    if len(seen.time) and "peak_velocity" not in spall_numbers(run) and np.max(seen.velocity) > NOISE * largest_value(run, "velocity"):
         found |= {"surface": "free surface" if seen.kind == SURFACE else seen.gauge, "surface_velocity": float(np.max(seen.velocity))}
     return found
 
