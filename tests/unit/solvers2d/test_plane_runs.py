@@ -45,8 +45,7 @@ def test_fields_that_no_step_keeps_are_those_of_the_state_that_stands():
     assert np.allclose(z[Z.rho] * areas(*(solver._corners(row) for row in (N.x, N.y))), z[Z.mass], rtol=1e-13)
     assert np.abs(state.zones["viscous_pressure"]).max() > 0.0
     assert np.array_equal(state.zones["viscous_pressure"], z[Z.qxx] + z[Z.qyy] + z[Z.qhoop])
-    half, shear = 0.5 * (z[Z.sxx] - z[Z.qxx] - z[Z.syy] + z[Z.qyy]), z[Z.sxy] - z[Z.qxy]
-    middle, size = z[Z.p] - 0.5 * (z[Z.sxx] - z[Z.qxx] + z[Z.syy] - z[Z.qyy]), np.hypot(half, shear)
+    middle, size = z[Z.p] - 0.5 * (z[Z.sxx] + z[Z.syy]), np.hypot(0.5 * (z[Z.sxx] - z[Z.syy]), z[Z.sxy])
     largest = np.where(middle + size > size - middle, middle + size, middle - size)
     assert np.allclose(z[Z.sigma], largest, rtol=1e-12, atol=1e-12 * np.abs(largest).max())
     assert (solver.peaks()["peak_stress"] >= z[Z.sigma] * (1.0 - 1e-12) - 1e-6).all()

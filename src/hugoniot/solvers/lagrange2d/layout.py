@@ -49,7 +49,7 @@ class Zones(NamedTuple):
     qhoop: Any
     c: Any                   # longitudinal sound speed; -1 where it is imaginary
     viscous_speed: Any
-    sigma: Any               # the principal stress of largest size, compression positive, viscosity included
+    sigma: Any               # the principal stress of largest size, compression positive, without viscosity
     plastic_strain: Any
     damage: Any
     failure: Any

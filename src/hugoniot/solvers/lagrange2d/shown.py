@@ -34,10 +34,9 @@ class Shown:
 
 
 class LargestStressOf(NamedTuple):
-    """Pressure, viscous stress and deviators of the state -> the principal stress of largest size."""
+    """Pressure and deviators of the state -> the principal stress of largest size."""
 
     p: Any
-    q: Stress
     s: Tensor
     sigma: Any
 
@@ -54,7 +53,7 @@ def largest_stress(count, z, dt, numbers, law):
     """The principal stress of largest size of the state that stands."""
     rows_apart()
     for j in range(count):
-        z.sigma[j] = principal(z.p[j], z.s.xx[j] - z.q.xx[j], z.s.yy[j] - z.q.yy[j], z.s.xy[j] - z.q.xy[j])
+        z.sigma[j] = principal(z.p[j], z.s.xx[j], z.s.yy[j], z.s.xy[j])
 
 
 @zone_pass(TraceOf)
@@ -74,5 +73,5 @@ def operations(at, geometry, numbers) -> list[Operation]:
     """The list of passes that finds them; numbers: those of the material."""
     z = at.z
     return [Operation(shape, geometry, ShapeOf(at.now, z.inverse_mass, at.w.v, z.rho, at.w.inverse_length), numbers, at.whole),
-            Operation(largest_stress, None, LargestStressOf(z.p, at.q, at.s, z.sigma), numbers, at.whole),
+            Operation(largest_stress, None, LargestStressOf(z.p, at.s, z.sigma), numbers, at.whole),
             Operation(trace, None, TraceOf(at.q, z.q), numbers, at.whole)]

@@ -171,7 +171,7 @@ class Cell:
         volumes = [solid_v for _, solid_v in closed]
         for part, s, solid_v in zip(self.pair, self.steps, volumes):
             at, z, w = part.at, part.at.z, part.at.w
-            s.do(stand, StandOf(at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, s.seen))
+            s.do(stand, StandOf(at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, s.seen))
             s.pace(w.inverse_length)
 
     # -- area weighted -------------------------------------------------------------------------------------------------------

@@ -93,10 +93,13 @@ class ShapeOf(NamedTuple):
 
 
 class StandOf(NamedTuple):
-    """Viscous stress, deviators found, stiffness, density and pressure -> deviators of the state, largest principal stress, c and peaks;
-    found[FOUND_RATE] and found[FOUND_UNSOUND]."""
+    """Deviators found, stiffness, density and pressure -> deviators of the state, largest principal stress, c and peaks;
+    found[FOUND_RATE] and found[FOUND_UNSOUND].
 
-    q: Stress
+    The viscous stress is not part of the largest stress: it is that of the middle of the step, and with the pressure of the end the sum
+    would be up to a tenth above the state behind a strong shock.
+    """
+
     new: Tensor
     c2: Any
     shear: Any
@@ -226,7 +229,7 @@ def rate_of_state(z, j, constants):
     """Write the state of zone j at the end of the step; what it requires of the time step, 1/s."""
     xx, yy, xy = z.new.xx[j], z.new.yy[j], z.new.xy[j]
     z.s.xx[j], z.s.yy[j], z.s.xy[j] = xx, yy, xy
-    z.seen.sigma[j] = principal(z.seen.p[j], xx - z.q.xx[j], yy - z.q.yy[j], xy - z.q.xy[j])
+    z.seen.sigma[j] = principal(z.seen.p[j], xx, yy, xy)
     c = wave_speed(z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.solid_v[j], constants.noise)
     z.seen.c[j] = c
     return (fmax(c, constants.front) + 2.0 * z.speed[j]) * z.inverse[j]

@@ -118,5 +118,5 @@ def correct(s, geometry, numbers, conduction, keeps_trace):
         s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])
     s.do(passes.shape, passes.ShapeOf(at.now, z.inverse_mass, w.v, z.rho, w.inverse_length), kind=geometry, numbers=numbers)
     solid_v = state_at_end(s)
-    s.do(passes.stand, passes.StandOf(at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, s.seen))
+    s.do(passes.stand, passes.StandOf(at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, s.seen))
     s.pace(w.inverse_length)
