@@ -1,5 +1,6 @@
 """What a deck may say but seldom means: forgotten units, jumps of the zone mass, speeds beyond the data or beyond the laws of motion."""
 
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -88,18 +89,22 @@ def advice_on_blocks(problem: "Problem2D") -> list[str]:
     found = unlikely_constants(problem)
     nodes = [velocity.reshape(2, -1) for velocity in problem.velocities()]
     means = np.array([velocity.mean(axis=1) for velocity in nodes])
-    fastest: dict[str, tuple[float, str, str]] = {}
-    for block, mean in zip(problem.blocks, means):
-        against = np.hypot(*(means - mean).T)
-        other = problem.blocks[int(np.argmax(against))].name
-        if against.max() > fastest.get(block.material, (0.0,))[0]:
-            fastest[block.material] = float(against.max()), block.name, other
-    for material, (speed, name, other) in fastest.items():
-        limit = problem.materials[material].valid_up_to
-        if limit is not None and speed > 2.0 * limit:
-            found.append(f"'{name}' moves at {speed:g} m/s relative to '{other}', but the data of '{material}' "
-                         f"end at a particle velocity of {limit:g} m/s")
-    met = {material: 0.5 * speed for material, (speed, *_) in fastest.items()}
+    fastest: dict[tuple[str, str], tuple[float, str, str]] = {}
+    for (a, one), (b, other) in combinations(zip(problem.blocks, means), 2):
+        speed, pair = float(np.hypot(*(one - other))), (a.material, b.material)
+        if speed > fastest.get(pair, (0.0,))[0]:
+            fastest[pair] = speed, a.name, b.name
+    beyond_data: dict[str, str] = {}
+    met: dict[str, float] = {}
+    for pair, (speed, first, second) in fastest.items():
+        for name, up in zip(pair, impact(*(problem.materials[name] for name in pair), speed)):
+            if up > met.get(name, 0.0):
+                met[name], end = up, range_of(problem.materials[name])
+                if end.stated and up > end.up:
+                    beyond_data[name] = (f"'{first}' moves at {speed:g} m/s relative to '{second}'; their impact would drive '{name}' to a "
+                                         f"particle velocity of about {up:.3g} m/s, but the data of '{name}' end at a particle velocity of "
+                                         f"{end.up:g} m/s")
+    found += beyond_data.values()
     speeds = {f"block '{block.name}'": float(np.hypot(*velocity).max()) for block, velocity in zip(problem.blocks, nodes)}
     found += _joined_at_impact(problem)
     return found + _long_steps(problem.solver.courant, LONGEST_STEP_IN_PLANE) + _beyond_estimate(problem, met) + _relativistic(speeds)

@@ -6,9 +6,11 @@ import pytest
 
 from hugoniot import simulate
 from hugoniot.cli.main import main
+from hugoniot.materials import library
 from hugoniot.problem import catalogue
 from hugoniot.problem.cost import estimate
 from hugoniot.problem.deck import read_deck_text
+from hugoniot.theory.impedance import match
 
 
 @pytest.mark.parametrize("fields", ["", '["pressure", "density"]'])
@@ -102,5 +104,14 @@ def test_steps_with_which_shocks_overshoot_are_warned_of(deck, solver, warned):
 
 def test_blocks_faster_than_the_data_of_their_material_are_warned_of():
     text = FAST_BLOCKS.partition("[material")[0].replace('"own"', '"copper"')
-    assert any("'a' moves at 40000 m/s relative to 'b', but the data of 'copper' end at" in words for words in read_deck_text(text.format(velocity=4e4)).warnings)
-    assert not read_deck_text(text.format(velocity=300.0)).warnings
+    assert any("'a' moves at 40000 m/s relative to 'b'; their impact would drive 'copper' to a particle velocity of about 2e+04 m/s, but the data of 'copper' end at" in words for words in read_deck_text(text.format(velocity=4e4)).warnings)
+    assert not any("data of" in words for words in read_deck_text(text.format(velocity=300.0)).warnings)
+
+
+def test_of_two_materials_the_one_that_the_impact_drives_beyond_its_data_is_named():
+    """Tantalum hits PMMA at 7 km/s: the match of the Hugoniots has 1.0 km/s in the metal, whose data end at 2.3, and 6.0 in the plastic."""
+    blocks = "".join(f'[[block]]\nname = "{name}"\nmaterial = "{material}"\nx = [{x}e-3, {x + 1}e-3]\ny = [0.0, 1e-3]\nzones = [4, 4]\n{more}\n'
+                     for name, material, x, more in (("rod", "tantalum", 0, "velocity = [7000.0, 0.0]"), ("plate", "pmma", 2, "")))
+    told = read_deck_text(f'geometry = "plane"\nstop_time = "1 us"\nsolver.kind = "lagrange2d"\n{blocks}').warnings
+    met = match([library.find("tantalum"), library.find("pmma")], 7000.0)[0].particle_velocity
+    assert len(told) == 1 and "data of 'pmma'" in told[0] and f"about {met:.3g} m/s" in told[0]
