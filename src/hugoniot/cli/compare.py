@@ -11,6 +11,7 @@ from hugoniot.cli.opened import opened, partial_words
 from hugoniot.cli.show import JSON, echo_json, echo_table
 from hugoniot.units import format_si
 
+FIRST = ("velocity", "stress", "velocity_x", "velocity_y", "normal_velocity", "line_velocity", "pressure")
 _SHIFT = "shift in time: how much later b (the second) reaches half of the largest change of a (the first); no record was shifted"
 
 
@@ -24,7 +25,7 @@ def command(
 ) -> None:
     """Compare two runs, or a run and measured data, gauge by gauge: mean, root mean square and largest difference, and shift in time.
 
-    Velocity and stress are printed first, the largest differences at the top. A column of measured data that names no gauge is compared
+    Velocities and stress, or pressure in two dimensions, are printed first, the largest differences at the top. A column of measured data that names no gauge is compared
     with the surface of the body that was hit, or with the deck's only gauge; --gauge chooses another. The records are not shifted before
     they are compared. The shift in time says how much later OTHER reaches half of the largest change seen in RUN.
 
@@ -47,7 +48,7 @@ def command(
         for note in found.notes:
             typer.echo(note)
         rows, differing = [], [row for row in found.rows() if row["linf"] != 0.0]
-        for r in sorted(differing, key=lambda row: (row["field"] not in ("velocity", "stress"), -row["l1_relative"])):
+        for r in sorted(differing, key=lambda row: (row["field"] not in FIRST, -row["l1_relative"])):
             shift = "none" if r["time_shift"] is None else format_si(r["time_shift"], "s", 3)
             norms = [f"{format_si(r[n], r['unit'], 4)} ({r[n + '_relative']:.2%})" for n in ("l1", "l2", "linf")]
             rows.append((r["gauge"], r["field"], *norms, shift))

@@ -19,9 +19,10 @@ from hugoniot.errors import DeckError, DeckProblem
 from hugoniot.files import csv_rows, read_regular
 from hugoniot.output.atomic import legible
 from hugoniot.output.run import Run, load
+from hugoniot.output.run_numbers import recorded
 from hugoniot.output.spall_records import hit_regions
 from hugoniot.output.spall_records import records as surface_records
-from hugoniot.units import UnitError, convert
+from hugoniot.units import UnitError, convert, format_si
 
 _HEADS = "use column headers such as 'time [us], velocity [m/s]' or 'time (us), velocity (m/s)'"
 
@@ -135,11 +136,21 @@ def _record(name: str, unit: str, time, values) -> Record:
 
 
 def run_records(run: Run) -> list[Record]:
-    """Every field of every gauge of a run."""
+    """Every field of every gauge of a run, up to where it is lost."""
+    rows, found = run.arrays("gauges"), []
+    for k, name in enumerate(run.gauge_names()):
+        for field, values in rows.items():
+            if values.ndim == 2 and (end := recorded(values[:, k])):
+                found.append(Record(name, field, run.unit("gauges", field), rows["time"][:end], values[:end, k]))
+    return found
+
+
+def _lost(run: Run) -> list[str]:
+    """Which gauges of a run end before it does, and when."""
     rows = run.arrays("gauges")
-    return [Record(name, field, run.unit("gauges", field), rows["time"], values[:, k])
-            for k, name in enumerate(run.gauge_names()) for field, values in rows.items()
-            if values.ndim == 2 and not np.isnan(values[:, k]).all()]
+    ends = {name: recorded(rows["velocity_x"][:, k]) for k, name in enumerate(run.gauge_names())} if "velocity_x" in rows else {}
+    return [f"gauge '{name}' of {run.folder} is lost after {format_si(rows['time'][end - 1], 's', 4)}: it is compared up to then"
+            for name, end in ends.items() if 0 < end < len(rows["time"])]
 
 
 @dataclass(frozen=True)
@@ -155,7 +166,7 @@ class Choice:
         """Which of a run's own records answers a record of the data; None if none does. Raises `DeckError` where several could."""
         same = [own for own in mine if own.field == record.field]
         if record.gauge and self.asked is None:
-            return next((own for own in same if own.gauge == record.gauge), None)
+            return next((own for own in same if record.gauge in (own.gauge, own.gauge.replace(",", ";"))), None)     # as in gauges.csv
         if self.asked is not None:
             found = next((own for own in same if own.gauge == self.asked), None)
         else:
@@ -221,8 +232,10 @@ def compare(a, b, gauge: str | None = None) -> Comparison:
     if gauge is not None and not is_table:
         raise DeckError.single("compare", None, "--gauge", "two runs are always compared gauge by gauge", "omit it")
     pairs, unmatched, notes, apart = [], [], [], False
+    notes += _lost(run)
     if not is_table:
-        notes += _of_two_runs(run, b if isinstance(b, Run) else load(b))
+        other_run = b if isinstance(b, Run) else load(b)
+        notes += [*_lost(other_run), *_of_two_runs(run, other_run)]
     choice = Choice(run, gauge, str(b), notes)
     for other in others:
         own = choice.counterpart(other, mine)

@@ -55,7 +55,7 @@ def gauge_rows(run: Run) -> list[dict]:
     kinds = {gauge["name"]: gauge["kind"] for gauge in run.setup["gauges"]} if plane else {}
     for k, name in enumerate(names):
         velocity, change = _velocity(table, k, kinds.get(name, ""))
-        end = _end(velocity)
+        end = max(recorded(velocity), 1)
         time = table["time"][:end]
         velocity, change = (without_round_off(values[:end], largest["velocity"]) for values in (velocity, change))
         if name in side_of and np.array_equal(velocity, table["velocity"][:, names.index(side_of[name])]):
@@ -109,10 +109,10 @@ def _velocity(table: dict, k: int, kind: str) -> tuple[np.ndarray, np.ndarray]:
     return np.hypot(found, other), np.hypot(found - found[0], other - other[0])
 
 
-def _end(velocity: np.ndarray) -> int:
-    """How many values a record has before the first that is missing, at least one."""
-    missing = np.isnan(velocity)
-    return max(int(missing.argmax()), 1) if missing.any() else len(velocity)
+def recorded(values: np.ndarray) -> int:
+    """How many values a record has before the first that is missing (NaN)."""
+    missing = np.isnan(values)
+    return int(missing.argmax()) if missing.any() else len(values)
 
 
 def spall_numbers(run: Run) -> dict:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from hugoniot.diagnostics.gauges2d import Sampler
+from hugoniot.output.compare import Choice, Record, run_records
 from hugoniot.output.run_numbers import gauge_rows
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.state import State2D
@@ -87,3 +88,20 @@ def test_a_shell_that_closes_evenly_closes_at_its_speed(geometry, first, last):
     zones = {"pressure": np.zeros(len(problem.mesh.zone_nodes))}
     read = Sampler(problem)(State2D(0.0, 0, zones, nodes, problem.mesh.zone_nodes))["normal_velocity"]
     assert read == pytest.approx(np.array([-500.0, 500.0, 500.0]) * np.cos(np.radians(2.5)), rel=1e-9)
+
+
+def test_records_are_compared_up_to_where_they_are_lost():
+    lost = np.where(TIME < 6e-7, 50.0 * FRONT, np.nan)
+    run = run_of({"slit": "slit", "point": "point"}, {"velocity_x": np.stack([lost, FRONT], axis=1)})
+    run.unit = lambda group, field: "m/s"
+    records = {(r.gauge, r.field): r for r in run_records(run)}
+    assert set(records) == {("slit", "velocity_x"), ("point", "velocity_x")}
+    assert records["slit", "velocity_x"].time[-1] == pytest.approx(6e-7, abs=6e-9) and len(records["point", "velocity_x"].time) == len(TIME)
+    assert np.isfinite(records["slit", "velocity_x"].values).all()
+
+
+def test_data_may_name_a_gauge_as_the_file_of_the_run_does(tmp_path):
+    """gauges.csv has a semicolon where a name has a comma."""
+    own = [Record("rear face, axis", "velocity_y", "m/s", TIME, FRONT)]
+    there = Record("rear face; axis", "velocity_y", "m/s", TIME, FRONT)
+    assert Choice(None, None, "", []).counterpart(there, own) is own[0]
