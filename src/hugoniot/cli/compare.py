@@ -25,9 +25,10 @@ def command(
 ) -> None:
     """Compare two runs, or a run and measured data, gauge by gauge: mean, root mean square and largest difference, and shift in time.
 
-    Velocities and stress, or pressure in two dimensions, are printed first, the largest differences at the top. A column of measured data that names no gauge is compared
-    with the surface of the body that was hit, or with the deck's only gauge; --gauge chooses another. The records are not shifted before
-    they are compared. The shift in time says how much later OTHER reaches half of the largest change seen in RUN.
+    Velocities and stress, or pressure in two dimensions, are printed first, the largest differences at the top. A column of measured data
+    that names no gauge is compared with the surface of the body that was hit, or with the deck's only gauge; --gauge chooses another. The
+    records are not shifted before they are compared. The shift in time says how much later OTHER reaches half of the largest change seen
+    in RUN.
 
     Example: hugoniot compare flyer.run visar.csv --plot compare.png
     """

@@ -43,6 +43,7 @@ _ROWS = (
     Field("temperature", "T", "K", "zone", "temperature", ("K", 1.0)),
     Field("plastic_strain", "eps_p", "1", "zone", "equivalent plastic strain", ("", 1.0)),
     Field("damage", "D", "1", "zone", "fracture damage", ("", 1.0)),
+    Field("void_fraction", "phi", "1", "zone", "volume fraction of voids opened in fracture", ("", 1.0)),
     Field("compaction", "k", "1", "zone", "compaction (0: pores uncompacted, 1: pores closed)", ("", 1.0)),
     Field("burn_fraction", "lambda", "1", "zone", "burn fraction", ("", 1.0)),
     Field("reference_state", "k_r", "1", "zone", "shock of the reactants (0 none yet, 1 passing, 2 passed, 3 passed while burning)",

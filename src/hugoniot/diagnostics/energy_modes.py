@@ -14,6 +14,7 @@ plastic_work (A.43) and viscous_work (A.39) are the solver's. Source: Herrmann A
 import numpy as np
 
 from hugoniot.diagnostics.stress2d import lode_angle, von_mises
+from hugoniot.diagnostics.temperature import solid_density
 from hugoniot.laws.arrays import entropy_array, shear_modulus_array
 from hugoniot.laws.eos.contract import gives
 from hugoniot.laws.strength.contract import STRENGTH
@@ -32,7 +33,7 @@ def distortion_energy(zones, squares, region_of, regions, materials, temperature
         here = np.flatnonzero((region_of == k) & (squares > 0.0))
         if law is None or not here.size:
             continue
-        rho, p, c = (zones[name][here] for name in ("density", "pressure", "sound_speed"))
+        rho, p, c = solid_density(zones)[here], zones["pressure"][here], zones["sound_speed"][here]
         heat = temperature[here] if temperature is not None and "needs_temperature" in STRENGTH.of(law).flags else 0.0
         modulus = shear_modulus_array(rho, p, heat, rho * c * c, law)
         if "burn_fraction" in zones:
@@ -84,7 +85,7 @@ class EnergyModes:
         for k, region in enumerate(self.regions):
             material, here = self.materials[region.material], self.region_of == k
             if has_entropy(material):
-                found[here] = entropy_array(state.zones["density"][here], state.zones["energy"][here], material.eos)
+                found[here] = entropy_array(solid_density(state.zones)[here], state.zones["energy"][here], material.eos)
         return found
 
     def _von_mises(self, state):

@@ -47,13 +47,19 @@ def gauge_temperature(values: dict, gauge_laws: list) -> np.ndarray:
             first, second = (mixed_temperature(values["phases"][:, k, side], law) for side in (0, 1))
             found[:, k] = np.where(share > 0.0, (1.0 - share) * first + share * second, first)
         elif law is not None:
-            found[:, k] = _temperature({name: values[name][:, k] for name in ("density", "energy", "compaction") if name in values}, law)
+            found[:, k] = _temperature({name: values[name][:, k] for name in ("density", "energy", "compaction", "void_fraction")
+                                        if name in values}, law)
     return found
 
 
 def _temperature(values: dict, law) -> np.ndarray:
     """Temperature of records of density and energy, and of the compaction where the law remembers it, K."""
-    return recorded_temperature(values["density"], values["energy"], law, values.get("compaction"))
+    return recorded_temperature(solid_density(values), values["energy"], law, values.get("compaction"))
+
+
+def solid_density(values) -> np.ndarray:
+    """Density of the material itself, kg/m3, where fracture has opened voids: `density` is the mass over the volume with them."""
+    return values["density"] / (1.0 - values["void_fraction"]) if "void_fraction" in values else values["density"]
 
 
 def mixed_temperature(phases: np.ndarray, par) -> np.ndarray:

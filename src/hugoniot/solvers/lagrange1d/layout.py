@@ -163,9 +163,10 @@ PULSES = {"constant": 0, "table": 1, "exponential": 2, "half_sine": 3, "square":
 Z, B, H = (cls(*range(len(cls._fields))) for cls in (ZoneRows, ChargeRows, NodeRows))
 
 # -- fields of a gauge row: further columns where something burns ------------------------------------------------------------------
-GAUGE_ROWS_OF_ZONES = (Z.rho, Z.e, Z.p, Z.q, Z.s1, Z.s2, Z.sigma, Z.plastic_strain, Z.damage, Z.compaction)
+GAUGE_ROWS_OF_ZONES = (Z.rho, Z.e, Z.p, Z.q, Z.s1, Z.s2, Z.sigma, Z.plastic_strain, Z.damage, Z.compaction,
+                       Z.voids)
 GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "viscous_pressure", "deviator_radial", "deviator_hoop",
-                "stress", "plastic_strain", "damage", "compaction")
+                "stress", "plastic_strain", "damage", "compaction", "void_fraction")
 GAUGE_STRESS = GAUGE_FIELDS.index("stress")
 # the burn fraction at the gauge, the share of the second of the two zones it lies between, the code of the reference state of the nearer
 # zone, and what a mixture's temperature is found from, for the first zone and for the second

@@ -31,6 +31,7 @@ from hugoniot.solvers.lagrange1d.watch import pass_times
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State
 from hugoniot.zones.closure import remembers
+from hugoniot.zones.fracture import opens_voids
 
 NAME = "lagrange1d"
 ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressure": Z.q, "deviator_radial": Z.s1,
@@ -65,6 +66,7 @@ class Lagrange1D(NothingToAdd):
         self.criteria = node_criteria(laws, self.laws_of_region, self.region_ranges)
         remembering = any(remembers(problem.materials[region.material].eos) for region in problem.regions)
         self.zone_fields = ZONE_FIELDS | ({"compaction": Z.compaction} if remembering else {})
+        self.not_recorded = {*(() if remembering else ("compaction",)), *(() if opens_voids(problem) else ("void_fraction",))}
         set_node_masses(self.zones, self.nodes, self.segments)
         ends = problem.left, problem.right
         field = NoField() if isinstance(self.terms.marching, NoTerms) else self.terms.force.field
@@ -184,7 +186,9 @@ class Lagrange1D(NothingToAdd):
         else:       # handed over whole
             self._new_buffer()
         block[:, :, L.GAUGE_STRESS] += applied_stress(self, times) if self.pushed else 0.0
-        found = {name: block[:, :, i] for i, name in enumerate(L.GAUGE_FIELDS) if name != "compaction" or name in self.zone_fields}
+        found = {name: block[:, :, i] for i, name in enumerate(L.GAUGE_FIELDS) if name not in self.not_recorded}
+        if "void_fraction" in found:
+            found["void_fraction"] = found["void_fraction"] * found["density"]      # the zones have the volume of voids per mass
         return times, found | reactive.gauge_columns(self.problem, block) if self.burning else found
 
     # -- what observers see ----------------------------------------------------------------------------------
@@ -192,6 +196,8 @@ class Lagrange1D(NothingToAdd):
         """Copies of all fields now."""
         zones = {name: self.zones[row].copy() for name, row in self.zone_fields.items()}
         zones["mass"] = self.zones[Z.mass].copy()
+        if "void_fraction" not in self.not_recorded:
+            zones["void_fraction"] = self.zones[Z.voids] * self.zones[Z.rho]
         if self.burning:
             zones |= reactive.state_fields(self.problem, self.charge)
         left, right = self.faces(H.r)

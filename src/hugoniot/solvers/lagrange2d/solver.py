@@ -34,6 +34,7 @@ from hugoniot.solvers.lagrange2d.shown import Shown
 from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes, widths
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State2D
+from hugoniot.zones.fracture import opens_voids
 
 NAME = "lagrange2d"
 KEPT = ("zones", "nodes", "charge", "control", "counters", "chains", "ends")      # in checkpoints
@@ -62,6 +63,7 @@ class Lagrange2D(Shown, NothingToAdd):
         self.zones[:], self.nodes[:] = zones, nodes
         self.zones[Z.e] += heat
         self.burning = any(problem.materials[block.material].burn is not None for block in problem.blocks)
+        self.opens_voids = opens_voids(problem)
         self._charge = zone_table(len(B), count if self.burning else 1)
         self.charge = self._charge[:, :count if self.burning else 1]
         if self.burning:
@@ -232,7 +234,8 @@ class Lagrange2D(Shown, NothingToAdd):
 
     def _glimpse(self) -> State2D:
         """The state now, most of it views that the next step changes: copies would make gauges cost nearly as much as a step."""
-        zones = self.erosion.seen(accounts.zone_fields(self.zones) | (self.burn_fields() if self.burning else {}))
+        voids = {"void_fraction": self.zones[Z.voids] * self.zones[Z.rho]} if self.opens_voids else {}
+        zones = self.erosion.seen(accounts.zone_fields(self.zones) | voids | (self.burn_fields() if self.burning else {}))
         rows = {"position_x": N.x, "position_y": N.y, "velocity_x": N.u, "velocity_y": N.v}
         numbers = self.numbering.representative
         places = slice(0, len(numbers)) if self.numbering.alone else numbers
