@@ -65,3 +65,10 @@ def test_fields_of_one_dimension_are_refused_with_their_names_in_two():
             read_deck_text(PLATE.replace('"momentum_x"', f'"{name}"'))
     with pytest.raises(DeckError, match="no material of this problem has an entropy"):
         read_deck_text(PLATE.replace('"aluminum 6061"', '"T001"'))
+
+
+def test_a_void_fraction_is_refused_where_nothing_opens_voids():
+    text = 'stop_time = "1 us"\n[[region]]\nname = "a"\nmaterial = "{}"\nfrom = 0.0\nto = 1e-3\nzones = 4\n[output]\nfields = ["void_fraction"]\n'
+    with pytest.raises(DeckError, match="no material of this problem opens voids"):
+        read_deck_text(text.format("water"))
+    assert read_deck_text(text.format("copper")).problem is not None

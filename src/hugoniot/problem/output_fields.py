@@ -3,6 +3,7 @@
 
 from hugoniot.core.fields import FIELDS
 from hugoniot.laws.eos.contract import gives
+from hugoniot.laws.fracture.contract import opens_voids
 from hugoniot.materials.collect import nearest, printable
 
 OF_THE_PLANE = ("position_x", "position_y", "velocity_x", "velocity_y", "deviator_xx", "deviator_yy", "deviator_xy", "deviator_zz",
@@ -24,9 +25,11 @@ def trouble_with(name: str, raw: dict) -> tuple[str, str] | None:
 
 def defects(output, regions, materials) -> list[tuple[tuple, str, str]]:
     """(place in the deck, message, way out) of fields that no material of the regions, or blocks, has."""
-    if "entropy" not in output.fields:
-        return []
-    used = [materials[region.material] for region in regions]
-    if any(material.burn is None and gives(material.eos, "entropy") for material in used):
-        return []
-    return [(("output", "fields"), "no material of this problem has an entropy", "its equations of state give none; leave the field out")]
+    used, found = [materials[region.material] for region in regions], []
+    if "entropy" in output.fields and not any(material.burn is None and gives(material.eos, "entropy") for material in used):
+        found.append((("output", "fields"), "no material of this problem has an entropy",
+                      "its equations of state give none; leave the field out"))
+    if "void_fraction" in output.fields and not any(opens_voids(material.fracture) for material in used):
+        found.append((("output", "fields"), "no material of this problem opens voids",
+                      "none has a fracture law such as spall_stress; leave the field out"))
+    return found

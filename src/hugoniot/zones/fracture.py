@@ -14,12 +14,6 @@ OPENING_OF_A_SPRAY = 0.01    # part of the volume
 grows_voids = flag_of(FRACTURE, "voids")     # whether a failing zone grows voids at a tension its law caps
 
 
-def opens_voids(problem) -> bool:
-    """Whether voids may open in zones of a problem."""
-    laws = (problem.materials[region.material].fracture for region in problem.regions)
-    return any(law is not None and "voids" in FRACTURE.of(law).flags for law in laws)
-
-
 def void_change(tension, stiffness, voids, density, fracture):
     """(change of the void volume per mass, change of the pressure).
 

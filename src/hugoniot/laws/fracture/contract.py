@@ -40,3 +40,8 @@ def at_node(tension, p, v, slope, par):
 
 
 GENERICS = {"failure": failure, "damage_rate": damage_rate, "tension_cap": tension_cap, "at_node": at_node}
+
+
+def opens_voids(law) -> bool:
+    """Whether voids open in zones of a material with a fracture law, or None."""
+    return law is not None and "voids" in FRACTURE.of(law).flags

@@ -10,6 +10,7 @@ import numpy as np
 from hugoniot.core.compile_ahead import compile_all, job_of
 from hugoniot.core.shares import serve
 from hugoniot.core.team import at_work, team_of
+from hugoniot.laws.fracture.contract import opens_voids
 from hugoniot.mesh.line import GEOMETRY
 from hugoniot.problem.defaults import with_defaults
 from hugoniot.problem.model import Problem
@@ -31,7 +32,6 @@ from hugoniot.solvers.lagrange1d.watch import pass_times
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State
 from hugoniot.zones.closure import remembers
-from hugoniot.zones.fracture import opens_voids
 
 NAME = "lagrange1d"
 ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressure": Z.q, "deviator_radial": Z.s1,
@@ -66,7 +66,8 @@ class Lagrange1D(NothingToAdd):
         self.criteria = node_criteria(laws, self.laws_of_region, self.region_ranges)
         remembering = any(remembers(problem.materials[region.material].eos) for region in problem.regions)
         self.zone_fields = ZONE_FIELDS | ({"compaction": Z.compaction} if remembering else {})
-        self.not_recorded = {*(() if remembering else ("compaction",)), *(() if opens_voids(problem) else ("void_fraction",))}
+        voids = any(opens_voids(problem.materials[region.material].fracture) for region in problem.regions)
+        self.not_recorded = {*(() if remembering else ("compaction",)), *(() if voids else ("void_fraction",))}
         set_node_masses(self.zones, self.nodes, self.segments)
         ends = problem.left, problem.right
         field = NoField() if isinstance(self.terms.marching, NoTerms) else self.terms.force.field

@@ -9,6 +9,7 @@ from hugoniot.core.compile_ahead import compile_all, job_of
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.core.shares import serve
 from hugoniot.core.team import at_work, team_of
+from hugoniot.laws.fracture.contract import opens_voids
 from hugoniot.problem.plane.contact import may_meet
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.problem.plane.walls import with_walls
@@ -34,7 +35,6 @@ from hugoniot.solvers.lagrange2d.shown import Shown
 from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes, widths
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State2D
-from hugoniot.zones.fracture import opens_voids
 
 NAME = "lagrange2d"
 KEPT = ("zones", "nodes", "charge", "control", "counters", "chains", "ends")      # in checkpoints
@@ -63,7 +63,7 @@ class Lagrange2D(Shown, NothingToAdd):
         self.zones[:], self.nodes[:] = zones, nodes
         self.zones[Z.e] += heat
         self.burning = any(problem.materials[block.material].burn is not None for block in problem.blocks)
-        self.opens_voids = opens_voids(problem)
+        self.opens_voids = any(opens_voids(problem.materials[region.material].fracture) for region in problem.regions)
         self._charge = zone_table(len(B), count if self.burning else 1)
         self.charge = self._charge[:, :count if self.burning else 1]
         if self.burning:
