@@ -32,7 +32,9 @@ def test_it_is_a_rigid_body_at_rest(geometry):
     assert np.array_equal(wall.zones, body.zones) and np.array_equal(wall.nodes, body.nodes)
     count = wall.numbering.total
     assert wall.nodes[N.v, :count].mean() > -50.0 and wall.nodes[N.y, :count].max() < 2e-3 and wall.errors()["energy_error"] < 1e-12
-    assert "work rigid a.bottom" in wall.exchanges()
+    mine, its = wall.exchanges(), body.exchanges()
+    assert mine["impulse_y a.bottom"] == pytest.approx(its["impulse_y rigid floor"], rel=1e-9) and mine["impulse_y a.bottom"] > 0.0
+    assert not any("rigid" in name or name.startswith("moved") for name in mine)
 
 
 def test_it_holds_no_tension_where_a_wall_does():

@@ -86,10 +86,16 @@ def signal_rate(solver) -> float:
 
 
 def exchanges(solver) -> dict[str, float]:
-    """Work (J) and impulse (kg m/s) of every chain of boundary edges so far and, where something burns, the heat released (J)."""
-    found = {}
-    for name, (work, x, y) in zip(solver.boundaries.chains, solver.chains):
-        found |= {f"work {name}": float(work), f"impulse_x {name}": float(x), f"impulse_y {name}": float(y)}
+    """Work (J) and impulse (kg m/s) of every chain of boundary edges so far and, where something burns, the heat released (J).
+
+    What a wall that lets go, which is a rigid body of the name of its chain, does to the material is counted for the chain.
+    """
+    found: dict[str, float] = {}
+    for name, values in zip(solver.boundaries.chains, solver.chains):
+        plain = name.removeprefix("rigid ")
+        name = plain if plain in solver.problem.mesh.chains else name
+        for word, value in zip(("work", "impulse_x", "impulse_y"), values):
+            found[f"{word} {name}"] = found.get(f"{word} {name}", 0.0) + float(value)
     found |= solver.contact.exchanges()
     if solver.burning:
         found["released_heat"] = reactive.released_heat(solver.problem, solver.zones[Z.mass], solver.charge[B.lam], ranges(solver.problem))
