@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from hugoniot.errors import HugoniotError, OutOfRange
-from hugoniot.theory.impedance import match
+from hugoniot.theory.impedance import Match, match
 from hugoniot.theory.states import law_of
 
 
@@ -45,18 +45,19 @@ def vary(material, **values: float):
     return par._replace(**{k: float(v) for k, v in values.items()})
 
 
-def matched(layers: Sequence, answers: Sequence[str]) -> Callable[..., dict[str, float]]:
+def matched(layers: Sequence, answers: Sequence[str], solve: Callable[..., Sequence[Match]] = match) -> Callable[..., dict[str, float]]:
     """An impedance match as a function for `propagate`.
 
     layers    flyer first, then the targets, as in `match`
     answers   names of fields of `States` that are returned, such as pressure
+    solve     solve(layers, velocity) -> the states, `match` or a ring-up
 
     The function takes the velocity of the flyer (m/s) and parameters named MATERIAL.parameter, which apply to all layers of that
-    material. It returns the fields on the right of each interface under names such as "0.pressure".
+    material. It returns the fields on the right of the interface in each of the states, under names such as "0.pressure".
     """
     def answer(**given: float) -> dict[str, float]:
         own = [{k.rpartition(".")[2]: v for k, v in given.items() if k.rpartition(".")[0] == m.name} for m in layers]
-        found = match([vary(m, **changed) for m, changed in zip(layers, own)], given["velocity"])
+        found = solve([vary(m, **changed) for m, changed in zip(layers, own)], given["velocity"])
         return {f"{i}.{k}": getattr(m.right, k) for i, m in enumerate(found) for k in answers if getattr(m.right, k) is not None}
 
     return answer

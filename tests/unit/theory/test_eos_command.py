@@ -41,6 +41,16 @@ def test_match_gives_one_state_per_interface_in_time_order():
     assert "GPa" in eos("match", "copper", "aluminum", "--velocity", "1 km/s").stdout
 
 
+def test_error_bars_of_a_ring_up_are_those_of_its_own_states():
+    """Each against the change of that state with the velocity of the flyer."""
+    stack = ("match", "copper", "pmma", "copper", "--ring-up", "3", "--velocity")
+    found = answer(*stack, "1000 m/s", "--error", "velocity = 10 m/s")["states"]
+    slow, fast = (answer(*stack, speed)["states"] for speed in ("995 m/s", "1005 m/s"))
+    assert len(found) == 5
+    for state, low, high in zip(found, slow, fast):
+        assert state["uncertainty"]["pressure"]["sigma"] == pytest.approx(high["pressure"] - low["pressure"], rel=1e-6)
+
+
 def test_a_match_beyond_a_law_names_the_material_and_a_row_that_reaches_further():
     told = eos("match", "basalt", "basalt", "--velocity", "20 km/s")
     assert told.exit_code == 3
@@ -196,6 +206,11 @@ def test_few_rows_make_no_polygon_of_the_picture():
     (("match", "copper", "--velocity", "1 km/s"), 2, "at least one target"), (("match", "copper", "pmma", "--velocity", "-1 km/s"), 3, "does not strike"),
     (("cj", "copper"), 3, "no Chapman-Jouguet point"), (("hugoniot", "missing.toml"), 4, "cannot read missing.toml"), (("hugoniot", "copper", "--up-to", "0 m/s"), 3, "particle velocity of a Hugoniot must be positive"),
     (("match", "copper", "pmma", "--velocity", "1 km/s", "--error", "pmma.c9 = 1"), 2, "not an input of this match"),
+    (("match", "copper", "pmma", "copper", "aluminum", "--velocity", "1 km/s", "--ring-up", "2"), 2, "aluminum would have no effect"),
+    (("match", "copper", "pmma", "--velocity", "1 km/s", "--samples", "100"), 2, "no input is uncertain"),
+    (("match", "copper", "pmma", "--velocity", "1 km/s", "--until", "1 us"), 2, "add --thickness"),
+    (("match", "copper", "pmma", "--velocity", "1 km/s", "--thickness", "1 mm", "--thickness", "1 mm", "--error", "velocity = 5 m/s"), 2,
+     "not supported with --thickness"),
     (("match", "copper", "basalt", "--velocity", "14 km/s"), 3, "rows T007, T029 and T038 of the library reach further"),
     (("match", "copper", "pmma", "--velocity", "1 km/s", "--thickness", "1 mm"), 2, "1 thickness for 2 layers"),
     (("cj", "comp_b", "--density", "-1 g/cm^3"), 3, "give a positive density"), (("table", "copper", "--densities", "8 g/cm^3, 90 g/cm^3"), 3, "is defined for densities"),

@@ -98,7 +98,8 @@ def match(
         "to compute.")] = 0,
     thickness: Annotated[list[str] | None, typer.Option("--thickness", help='Thickness of a layer, such as "2 mm", repeated for '
         "each layer, flyer first; all waves are then followed up to --until.")] = None,
-    until: Annotated[str, typer.Option("--until", help='With --thickness: time up to which waves are followed.')] = "1 us",
+    until: Annotated[str | None, typer.Option("--until", help='With --thickness: time up to which waves are followed (default: '
+        '"1 us").')] = None,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """Solve the impedance match of an impact.
@@ -115,13 +116,26 @@ def match(
     if ring_up and len(materials) < 3:
         raise DeckError.single("command line", None, "--ring-up", "--ring-up needs a layer between two "
                                                                   "others", "name three materials or more")
+    if len(materials) > 3 and ring_up:
+        raise DeckError.single("command line", None, "--ring-up", "the first target reverberates between two neighbours, which are "
+                               f"taken as semi-infinite, so that {', '.join(materials[3:])} would have no effect",
+                               "name three materials, or follow all waves with --thickness")
+    if samples and not error:
+        raise DeckError.single("command line", None, "--samples", "no input is uncertain", 'add --error "velocity = 5 m/s"')
+    if until is not None and not thickness:
+        raise DeckError.single("command line", None, "--until", "waves are followed in time only if the thicknesses are known",
+                               "add --thickness for each layer")
     speed = quantity(velocity, "m/s", "--velocity")
     if thickness:
+        if error or ring_up:
+            raise DeckError.single("command line", None, "--error" if error else "--ring-up",
+                                   "is not supported with --thickness" if error else "--thickness already follows all reverberations",
+                                   "omit it, or omit --thickness")
         if len(thickness) != len(materials):
             given = f"{len(thickness)} thickness{'' if len(thickness) == 1 else 'es'}"
             raise DeckError.single("command line", None, "--thickness", f"{given} for {len(materials)} layers", "give one for each layer")
         sizes = [quantity(t, "m", "--thickness") for t in thickness]
-        eos_match.waves([find_inert(m) for m in materials], speed, sizes, quantity(until, "s", "--until"), as_json, as_csv, plot)
+        eos_match.waves([find_inert(m) for m in materials], speed, sizes, quantity(until or "1 us", "s", "--until"), as_json, as_csv, plot)
         return
     eos_match.report([find_inert(m) for m in materials], speed, error, samples, ring_up, as_json, as_csv, plot)
 

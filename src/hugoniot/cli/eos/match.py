@@ -3,7 +3,7 @@
 import typer
 
 from hugoniot.cli.eos.input import Subject, error_bars
-from hugoniot.cli.eos.output import cell, echo_notes, notes, row_of, write_csv
+from hugoniot.cli.eos.output import SHOWN, cell, echo_notes, notes, row_of, write_csv
 from hugoniot.cli.eos.splits import jump_notes
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, HugoniotError, NoSolution, OutOfRange
@@ -19,9 +19,13 @@ def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, 
     """Solve, then print, write and draw what is asked."""
     layers = [s.material for s in subjects]
     names = [m.name for m in layers]
-    met = _met(subjects, lambda laws: ringing(laws, velocity, bounces=ring_up) if ring_up else match(laws, velocity))
-    spreads = _spreads(subjects, velocity, error, samples) if error else None
-    rows = [_row(m, names, spreads[i] if spreads and i < len(spreads) else None) for i, m in enumerate(met)]
+
+    def solve(laws, speed):
+        return ringing(laws, speed, bounces=ring_up) if ring_up else match(laws, speed)
+
+    met = _met(subjects, lambda laws: solve(laws, velocity))
+    spreads = _spreads(subjects, velocity, error, samples, solve) if error else []
+    rows = [_row(m, names, spread) for m, spread in zip(met, spreads or [{}] * len(met), strict=True)]
     told = _told(subjects, velocity, met)
     if plot:
         from hugoniot.plotting.eos import save
@@ -150,12 +154,12 @@ def _word(kind: str) -> str:
 def _with_error(key: str, row: dict) -> str:
     text = cell(key, row[key], unit=False)
     if "uncertainty" in row and key in row["uncertainty"]:
-        text += f" +- {cell(key, row['uncertainty'][key]['sigma'], unit=False)}"
+        text += f" +- {row['uncertainty'][key]['sigma'] * SHOWN[key][1]:.2g}"
     return text
 
 
-def _spreads(subjects: list[Subject], velocity, error, samples):
-    """Per interface, the error bars of the answers: parameters are named MATERIAL.parameter, or parameter of all layers of a name."""
+def _spreads(subjects: list[Subject], velocity, error, samples, solve) -> list[dict]:
+    """The error bars of each state that `solve` gives: parameters are named MATERIAL.parameter, for all layers of that name."""
     from hugoniot.dossier.fits import uncertain
     from hugoniot.theory.uncertainty import matched, propagate
 
@@ -178,5 +182,6 @@ def _spreads(subjects: list[Subject], velocity, error, samples):
         values[key] = float(getattr(owners[0].eos, parameter))
         sigmas[key] = quantity(text, EOS.of(owners[0].eos).units.get(parameter, "1"), f"--error {key}")
 
-    flat = propagate(matched(layers, ANSWERS), values, sigmas, correlation=together, samples=samples)
-    return [{k.partition(".")[2]: s for k, s in flat.items() if k.startswith(f"{i}.")} for i in range(len(layers) - 1)]
+    flat = propagate(matched(layers, ANSWERS, solve), values, sigmas, correlation=together, samples=samples)
+    count = 1 + max(int(k.partition(".")[0]) for k in flat)
+    return [{k.partition(".")[2]: s for k, s in flat.items() if k.startswith(f"{i}.")} for i in range(count)]
