@@ -5,12 +5,12 @@ scales of the records (`targets`) are parameters too, for which no run is needed
 
 $$\chi^2 = \sum_i \rho\!\left(r_i^2\right) + \sum_k c_k^2$$
 
-has the residuals of all targets, with the loss $\rho$, and the priors. A run answers in small jumps (a void opens in one zone or in the
-next), over which derivatives say nothing. So the search is the method of Gauss and Newton without derivatives: a plane is fitted to the
-residuals of a sample of runs as wide as the data can tell apart, twice the standard deviations in the end. Searches begin at the best
-points of a sample of the ranges, so that a wrong minimum is noticed; where none of them matches the data, differential evolution looks
-further. With J the slopes of the plane, the covariance is $(J^T J)^{-1}$, times the reduced $\chi^2$ where that is above one, and to it
-comes what the strays of the sample from the plane do to the parameters.
+has the residuals of all targets, with the loss $\rho$, and the priors, which no loss softens. A run answers in small jumps (a void opens
+in one zone or in the next), over which derivatives say nothing. So the search is the method of Gauss and Newton without derivatives: a
+plane is fitted to the residuals of a sample of runs as wide as the data can tell apart, twice the standard deviations in the end.
+Searches begin at the best points of a sample of the ranges, so that a wrong minimum is noticed; where none of them matches the data,
+differential evolution looks further. With J the slopes of the plane, the covariance is $(J^T J)^{-1}$, times the reduced $\chi^2$ where
+that is above one, and to it comes what the strays of the sample from the plane do to the parameters.
 
 Sources: C. Cartis, J. Fiala, B. Marteau, L. Roberts, ACM Trans. Math. Softw. 45 (2019) 32, for planes by regression; R. Storn, K. Price,
 J. Global Optim. 11 (1997) 341 (`scipy.optimize.differential_evolution`).
@@ -157,7 +157,17 @@ class Problem:
     def cost(self, x: np.ndarray, answer: dict | None = None) -> float:
         """The sum of squares with the loss."""
         squares = self.residuals(x, answer) ** 2
-        return float(np.sum(RHO[self.loss](squares)))
+        data = self.data_of(squares)
+        return float(np.sum(RHO[self.loss](data)) + np.sum(squares[data.size:]))
+
+    def data_of(self, residuals: np.ndarray) -> np.ndarray:
+        """Those of `residuals` that belong to data, not to priors."""
+        return residuals[:residuals.size - sum(f.prior for f in self.free)]
+
+    def weight(self, residuals: np.ndarray) -> np.ndarray:
+        """The weights (nresidual,) of iterated least squares."""
+        data = self.data_of(residuals)
+        return np.append(WEIGHT[self.loss](data**2), np.ones(residuals.size - data.size))
 
     # -- searches ------------------------------------------------------------------------------------------------------
     def search(self, start: np.ndarray, fixed: Sequence[int] = (), rounds: int = ROUNDS, reach: np.ndarray | None = None) -> Minimum:
@@ -239,8 +249,7 @@ class Problem:
         for k in range(len(self.free), len(x)):
             ahead, behind = _moved(x, k, x[k] + 1e-4), _moved(x, k, x[k] - 1e-4)
             slopes[:, k] = (self.residuals(ahead, answer) - self.residuals(behind, answer)) / 2e-4
-        weight = WEIGHT[self.loss](offset**2)
-        return Plane(offset, slopes, weight, rough)
+        return Plane(offset, slopes, self.weight(offset), rough)
 
     def widely(self, starts: Sequence[np.ndarray], seed: int) -> np.ndarray:
         """The best point that differential evolution finds over the whole ranges, beginning with `starts` and a sample."""

@@ -18,14 +18,14 @@ class Straight:
         return {"values": [float(value) for value in values]}
 
 
-def problem(model, data, sigma, ranges, shift=0.0, scale=0.0, loss="linear", points=3001):
-    """A fit of model(times, *values) to data at TIMES without any deck; points of the record of each run, which the fit keeps."""
+def problem(model, data, sigma, ranges, shift=0.0, scale=0.0, loss="linear", points=3001, times=TIMES):
+    """A fit of model(times, *values) to data at times without any deck; points of the record of each run, which the fit keeps."""
     wide = np.linspace(-1.0, 2.0, points)
 
     def ask(changes):
         return [{"numbers": {}, "records": {"g.u": (wide, model(wide, *change["values"]))}} for change in changes]
 
-    target = Target("record", "g.u", "m/s", TIMES, data, np.full(TIMES.size, sigma), 0)
+    target = Target("record", "g.u", "m/s", times, data, np.full(times.size, sigma), 0)
     free = tuple(Free(read_variable(text)) for text in ranges)
     return Problem(Straight(), free, (target,), 1, shift, scale, loss, ask)
 

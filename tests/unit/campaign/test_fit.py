@@ -94,6 +94,61 @@ def wave(t, f):
     return np.sin(2.0 * np.pi * f * t)
 
 
+@pytest.mark.parametrize("loss", ["soft_l1", "huber", "cauchy"])
+def test_a_robust_loss_keeps_the_meaning_of_chi_square(loss):
+    """One per degree of freedom for normal noise of the deviation given, and no match for a wrong model, whose sum of squares it bounds."""
+    noise = 0.01 * np.random.default_rng(4).standard_normal(TIMES.size)
+    p = problem(line, line(TIMES, 0.3, 0.6) + noise, 0.01, ["a = 0..1", "b = 0..1"], loss=loss)
+    fit = weighed(p, [p.search(p.starts(None, 1, 0)[0])])
+    assert fit.matches and fit.reduced == pytest.approx(1.0, abs=0.25)      # four standard deviations of the mean of 200 squares
+    p = problem(line, bump(TIMES, 1.0, 0.1) + noise, 0.01, ["a = 0..1", "b = 0..1"], loss=loss)
+    fit = weighed(p, [p.search(p.starts(None, 1, 0)[0])])
+    assert not fit.matches and fit.doubts[0].startswith("the model does not match the data")
+
+
+def level(t, a, b):
+    return a + 0.0 * b * t
+
+
+def test_no_loss_softens_a_prior_and_what_it_alone_holds_is_reported():
+    data = level(TIMES, 0.3, 0.0) + 0.01 * np.random.default_rng(6).standard_normal(TIMES.size)
+    for loss in ("linear", "cauchy"):
+        p = problem(level, data, 0.01, ["a = 0..1", "b = 0.9 +- 0.001"], loss=loss)
+        assert p.cost(np.array([0.3, 2.0])) - p.cost(np.array([0.3, 0.0])) == pytest.approx(4.0, rel=1e-9)
+    assert any("say little about b" in doubt for doubt in weighed(p, [p.search(p.starts(None, 1, 0)[0])]).doubts)
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_intervals_from_a_few_data_are_as_wide_as_their_uncertainty_says(count):
+    """One parameter from one datum: 1.96 standard deviations of it. From three: covered, and not much wider than needed."""
+    times, widths, covered = TIMES[:count], [], []
+    for seed in range(20):
+        data = 0.3 + 0.01 * np.random.default_rng(seed).standard_normal(count)
+        p = problem(lambda t, a: a + 0.0 * t, data, 0.01, ["a = 0..1"], times=times)
+        found = weighed(p, [p.search(np.array([0.5]))]).parameters[0]
+        covered.append(found.low <= 0.3 <= found.high)
+        widths.append(0.5 * (found.high - found.low) * math.sqrt(count) / 0.01)
+    assert np.mean(covered) >= 0.85 and np.min(widths) == pytest.approx(1.96, rel=0.02) and np.quantile(widths, 0.5) < 2.5
+
+
+def test_a_datum_that_the_range_cannot_reach_is_no_match():
+    p = problem(lambda t, a: a + 0.0 * t, np.array([2.0]), 0.01, ["a = 0..1"], times=TIMES[:1])
+    fit = weighed(p, [p.search(np.array([0.5]))])
+    assert not fit.matches and fit.doubts[0].startswith("the model does not match the data")
+
+
+def test_correlated_noise_is_reported_with_what_it_does_to_the_intervals():
+    """A moving average over ten points: the scatter of the fitted value over its standard deviation, and the factor of the note."""
+    ratios, factors = [], []
+    for seed in range(24):
+        noise = np.convolve(np.random.default_rng(seed).standard_normal(TIMES.size + 9), np.full(10, 0.1**0.5), "valid")
+        p = problem(line, line(TIMES, 0.3, 0.6) + 0.01 * noise, 0.01, ["a = 0..1", "b = 0..1"])
+        fit = weighed(p, [p.search(np.array([0.3, 0.6]))])
+        ratios.append((fit.parameters[0].value - 0.3) / fit.parameters[0].sigma)
+        factors += [float(doubt.rpartition(" ")[2]) for doubt in fit.doubts if "neighbouring points are correlated" in doubt]
+    assert len(factors) == 24 and 0.6 < np.mean(factors) / np.sqrt(np.mean(np.square(ratios))) < 1.7
+
+
 def test_a_wrong_minimum_is_noticed():
     data = wave(TIMES, 7.3) + 0.05 * np.random.default_rng(5).standard_normal(TIMES.size)
     p = problem(wave, data, 0.05, ["f = 1..12"])
