@@ -45,6 +45,8 @@ class Design:
 
     def values(self, case: int) -> list[Any]:
         """What each variable is in a case, as the deck is given it."""
+        if self.kind == "morris":
+            return [variable.across(float(share)) for variable, share in zip(self.variables, self.shares[case])]
         if self.shares is not None:
             return [variable.at(float(share)) for variable, share in zip(self.variables, self.shares[case])]
         if self.kind == "table":

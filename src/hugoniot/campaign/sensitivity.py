@@ -15,12 +15,11 @@ Environ. Modell. Softw. 22 (2007) 1509) says how much a parameter matters, their
 with others.
 """
 
-import warnings
 from dataclasses import dataclass
 
 import numpy as np
 
-from hugoniot.output.sweep_file import Column, SweepTable
+from hugoniot.output.sweep_file import Column, SweepTable, together
 
 LEVELS = 4
 DELTA = LEVELS / (2.0 * (LEVELS - 1.0))
@@ -47,7 +46,7 @@ class Index:
 
 @dataclass(frozen=True)
 class Effect:
-    """Morris' effects of one parameter on one result, in the result's unit for the whole range of the parameter.
+    """Morris' effects of one parameter on one result, in the result's unit for the whole range of the parameter (`Variable.across`).
 
     magnitude: mean of their magnitudes; mean; deviation: their standard deviation
     """
@@ -158,7 +157,8 @@ def quantiles(result: Column, cases: int) -> Quantiles:
 
 
 def bands(table: SweepTable, cases: int) -> dict[str, np.ndarray]:
-    """QUANTILES of every kept record at every time, (nquantile, ntime), over the first cases."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")     # times that no case has reached
-        return {record.name: np.nanquantile(record.values[:cases], QUANTILES, axis=0) for record in table.records}
+    """QUANTILES of every kept record, (nquantile, ntime), over those of the first cases that have one; not-a-number at times that some of
+    these have not reached."""
+    found = {record.name: together(record.values[:cases]) for record in table.records}
+    return {name: np.quantile(values, QUANTILES, axis=0) if len(values) else np.full((len(QUANTILES), values.shape[1]), np.nan)
+            for name, values in found.items()}

@@ -66,6 +66,12 @@ class Variable:
             number = self.low + share * (self.high - self.low) if share < 1.0 else self.high
         return self.given(number)
 
+    def across(self, share: float) -> Any:
+        """The same, but a normal distribution as the range with its standard deviation: sqrt(3) of them to either side of the mean."""
+        if self.kind != "normal":
+            return self.at(share)
+        return self.given(self.low + self.high * math.sqrt(3.0) * (2.0 * share - 1.0))
+
     def step(self, k: int) -> Any:
         """The k-th of its values in a grid."""
         if self.kind == "values":

@@ -159,9 +159,9 @@ def _echo_analysis(swept) -> None:
                      units[r.result][0]] for r in rows])
     elif found.spread:
         spread = [(found.spread[column.name], *scale(column)) for column in shown]
-        echo_table(["result", "mean", "standard deviation", "2.5 %", "median", "97.5 %", "unit"],
-                   [[s.result, *(f"{v * factor:.5g}" for v in (s.mean, s.deviation, s.quantiles[0], s.quantiles[2], s.quantiles[4])), unit]
-                    for s, unit, factor in spread])
+        echo_table(["result", "mean", "standard deviation", "2.5 %", "median", "97.5 %", "unit", "cases"],
+                   [[s.result, *(f"{v * factor:.5g}" for v in (s.mean, s.deviation, s.quantiles[0], s.quantiles[2], s.quantiles[4])), unit,
+                     str(s.count)] for s, unit, factor in spread])
     typer.echo("")
 
 

@@ -61,6 +61,12 @@ class SweepTable:
         raise KeyError(f"no column '{name}'; the table has: {', '.join(c.name for c in (*self.parameters, *self.results))}")
 
 
+def together(values: np.ndarray) -> np.ndarray:
+    """The records (ncase, ntime) of the cases that have one, not-a-number at times that some of these have not reached."""
+    found = values[np.isfinite(values).any(axis=1)]
+    return np.where(np.isfinite(found).all(axis=0), found, np.nan)
+
+
 # -- cases.csv -------------------------------------------------------------------------------------------------------
 def write_cases(path, table: SweepTable):
     """Write cases.csv: number, parameters and results under `name [unit]`, and the reason where a case failed."""

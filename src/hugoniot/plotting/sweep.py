@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from hugoniot.output.sweep_file import Column, SweepTable
+from hugoniot.output.sweep_file import Column, SweepTable, together
 from hugoniot.plotting.style import (
     COLOURS,
     INK,
@@ -131,13 +131,18 @@ def _edges(x: np.ndarray) -> np.ndarray:
     return np.concatenate([[x[0] - (middle[0] - x[0])], middle, [x[-1] + (x[-1] - middle[-1])]])
 
 
+def banded(table: SweepTable, record: Column) -> bool:
+    """Whether `draw_records` shows bands, not a line for each case."""
+    return table.attributes.get("design") in SAMPLED and len(together(record.values)) >= LEAST_FOR_BANDS
+
+
 def draw_records(ax, table: SweepTable, record: Column) -> None:
     """The records of all cases over time, in the colour of the first parameter; few of them with their values beside them."""
     import matplotlib
 
     if table.times is None:
         return
-    if table.attributes.get("design") in SAMPLED and len(record.values) >= LEAST_FOR_BANDS:
+    if banded(table, record):
         draw_bands(ax, table.times, record)
         return
     along = (table.steps or table.parameters)[0]
@@ -174,8 +179,9 @@ def draw_bands(ax, times, record: Column) -> None:
     """The median of a sample's records over time, with the bands that hold 68 and 95 % of them."""
     unit, ft = time_scale(float(times[-1]))
     shown, fy, words = field_scale(record.name.rpartition(".")[2], record.values)
-    sound = np.isfinite(record.values).all(axis=0)
-    low, lower, middle, upper, high = np.quantile(record.values[:, sound], (0.025, 0.16, 0.5, 0.84, 0.975), axis=0) * fy
+    values = together(record.values)
+    sound = np.isfinite(values).all(axis=0)
+    low, lower, middle, upper, high = np.quantile(values[:, sound], (0.025, 0.16, 0.5, 0.84, 0.975), axis=0) * fy
     t = times[sound] * ft
     ax.fill_between(t, low, high, color=COLOURS[0], alpha=0.18, linewidth=0, label="95 %")
     ax.fill_between(t, lower, upper, color=COLOURS[0], alpha=0.38, linewidth=0, label="68 %")
@@ -183,7 +189,7 @@ def draw_bands(ax, times, record: Column) -> None:
     ax.set_xlim(0.0, float(times[-1]) * ft)
     ax.set_xlabel(labelled("time", unit))
     ax.set_ylabel(labelled(words, shown))
-    ax.set_title(f"{record.name.rpartition('.')[0]}, {len(record.values)} cases", loc="left")
+    ax.set_title(f"{record.name.rpartition('.')[0]}, {len(values)} cases", loc="left")
     ax.legend(frameon=False, fontsize=8, loc="best")
     quiet_grid(ax)
 
@@ -191,8 +197,9 @@ def draw_bands(ax, times, record: Column) -> None:
 def draw_spread(ax, times, record: Column) -> None:
     """How far the records of a sample lie from their median: the bands that hold 68 and 95 % of them."""
     unit, ft = time_scale(float(times[-1]))
-    sound = np.isfinite(record.values).all(axis=0)
-    away = record.values[:, sound] - np.median(record.values[:, sound], axis=0)
+    values = together(record.values)
+    sound = np.isfinite(values).all(axis=0)
+    away = values[:, sound] - np.median(values[:, sound], axis=0)
     shown, fy, words = field_scale(record.name.rpartition(".")[2], away)
     low, lower, upper, high = np.quantile(away, (0.025, 0.16, 0.84, 0.975), axis=0) * fy
     t = times[sound] * ft
@@ -223,6 +230,8 @@ def uncertainty_figure(table: SweepTable):
 
 def draw_indices(ax, rows) -> None:
     """First-order and total indices of one result with their 95 % intervals: rows have parameter, first, total and their _low and _high."""
+    from matplotlib.transforms import offset_copy
+
     y = np.arange(len(rows))[::-1]
     for shift, name, colour, words in ((0.17, "first", COLOURS[0], "first order"), (-0.17, "total", COLOURS[1], "total")):
         value = np.array([getattr(row, name) for row in rows])
@@ -232,9 +241,10 @@ def draw_indices(ax, rows) -> None:
         ax.errorbar(value, y + shift, xerr=away, fmt="none", ecolor=INK, elinewidth=0.9, capsize=2)
     ax.set_yticks(y, [words_of(row.parameter) for row in rows])
     ax.set_xlim(min(0.0, ax.get_xlim()[0]), max(1.0, ax.get_xlim()[1]))
-    ax.set_xlabel("fraction of the variance")
+    ax.set_xlabel("fraction of the variance", loc="left")
     ax.set_title(words_of(rows[0].result), loc="left")
-    ax.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=(1.0, 0.99), ncol=2, borderaxespad=0.0)
+    beside = offset_copy(ax.transAxes, ax.get_figure(), y=-33.0, units="points")      # the axis label, below the longest names of results
+    ax.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=(1.0, 0.0), bbox_transform=beside, ncol=2, borderaxespad=0.0)
 
 
 def draw_effects(ax, rows, column: Column) -> None:

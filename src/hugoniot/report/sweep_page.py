@@ -5,10 +5,11 @@ import pathlib
 
 from hugoniot.output.atomic import write_whole
 from hugoniot.output.seal import sealed
-from hugoniot.output.sweep_file import Column, SweepTable
+from hugoniot.output.sweep_file import Column, SweepTable, together
 from hugoniot.plotting.inline import svg
 from hugoniot.plotting.sweep import (
     LEAST_FOR_BANDS,
+    banded,
     draw,
     draw_bands,
     draw_records,
@@ -19,6 +20,7 @@ from hugoniot.plotting.sweep import (
 )
 from hugoniot.report.sections import cards, number, table, text
 
+_BANDS = "the median, with bands containing 68 and 95 % of the cases"
 MOST_ROWS = 400        # of the table on the page; cases.csv has all
 
 
@@ -52,7 +54,7 @@ def _sensitivities(swept: SweepTable, sensitivity) -> str:
             height = 0.42 * len(rows) + 0.4 if hasattr(rows[0], "total") else 2.6
             picture = svg(lambda ax, r=rows, c=column: draw_sensitivity(ax, r, c), f"sensitivity-{k}", 7.4, height + 0.9,
                           (2.3 if hasattr(rows[0], "total") else 0.8, 0.5, 4.6, height))      # names left of bars, right of points
-            lost = f" Base cases that failed and are left out: {rows[0].lost}." if rows[0].lost else ""
+            lost = f" Base cases without a value, which are left out: {rows[0].lost}." if rows[0].lost else ""
             words = ("Sobol' indices with 95 % intervals." if hasattr(rows[0], "total") else
                      "Morris' elementary effects, each over the whole range of its parameter: points further right "
                      "have a stronger influence; points further up a nonlinear influence or an interaction.")
@@ -65,7 +67,7 @@ def _pictures(swept: SweepTable) -> list[tuple[str, str]]:
     found = []
     for k, record in enumerate(swept.records):
         found.append((svg(lambda ax, r=record: draw_records(ax, swept, r), f"record-{k}", 7.4, 3.2, (0.7, 0.5, 6.0, 2.3)),
-                      f"Records of {record.name}, one line for each case."))
+                      f"Records of {record.name}: " + (_BANDS if banded(swept, record) else "one line for each case") + "."))
     for k, result in enumerate(worth_drawing(swept)):
         rects = [(0.8, 0.5, 5.2, 2.5), (6.3, 0.5, 0.14, 2.5)] if flat else [(0.9, 0.5, 5.9, 2.4)]
         picture = svg(lambda ax, bar=None, r=result: draw(ax, swept, r, bar), f"result-{k}", 7.4, 3.2, *rects)
@@ -75,12 +77,12 @@ def _pictures(swept: SweepTable) -> list[tuple[str, str]]:
 
 def _spreads(swept: SweepTable) -> list[tuple[str, str]]:
     """The records of a sample of constants, and how far apart they lie."""
-    if swept.times is None or len(swept.records[0].values) < LEAST_FOR_BANDS:
+    if swept.times is None or len(together(swept.records[0].values)) < LEAST_FOR_BANDS:
         return _pictures(swept)
     found = []
     for k, record in enumerate(swept.records):
         for name, draw_one, words in (
-                ("record", draw_bands, "the median, with bands containing 68 and 95 % of the cases"),
+                ("record", draw_bands, _BANDS),
                 ("spread", draw_spread, "the same bands, relative to the median")):
             picture = svg(lambda ax, d=draw_one, r=record: d(ax, swept.times, r), f"{name}-{k}", 7.4, 3.2, (0.8, 0.5, 6.0, 2.3))
             found.append((picture, f"{record.name}: {words}."))

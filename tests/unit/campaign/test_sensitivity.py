@@ -2,14 +2,17 @@
 
 import csv
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
 from hugoniot.campaign.ask import Wishes, run_sweep
 from hugoniot.campaign.designs import design_of
-from hugoniot.campaign.sensitivity import LEVELS
+from hugoniot.campaign.sensitivity import LEVELS, Index, bands
 from hugoniot.campaign.variables import read_variable
 from hugoniot.errors import DeckError
+from hugoniot.output.sweep_file import Column, SweepTable
+from hugoniot.plotting.sweep import draw_indices, draw_records
 
 # three keys of the deck stand for the three unknowns of a function
 KEYS = ("region.flyer.velocity", "region.flyer.density", "stop_time")
@@ -82,6 +85,40 @@ def test_morris_sees_slopes_and_what_is_not_straight(deck, tmp_path):
     assert by_name[KEYS[2]].deviation > 0.1
     page = (tmp_path / "morris" / "report.html").read_text()
     assert "Sensitivity" in page and "Morris" in page
+
+
+def test_a_normal_input_counts_as_the_range_of_its_standard_deviation(deck, tmp_path):
+    """y = x: the range and the normal distribution of the same standard deviation have the same effect, the width of the range."""
+    found = []
+    for vary in ("1..2 m/s", f"1.5 +- {1.0 / 12.0**0.5!r} m/s"):
+        wishes = Wishes(vary=[f"{KEYS[0]} = {vary}", *VARY[1:]], design="morris", samples=10)
+        found.append(run_sweep(deck, wishes, tmp_path / "m", engine=engine(lambda x: x[0]), report=False).analysis.sensitivity["y"][0])
+    assert [row.magnitude for row in found] == pytest.approx([1.0, 1.0], rel=1e-9)
+
+
+def test_bands_are_those_of_the_cases_that_succeed():
+    """A case without a record, and one that ends half way: no band where the cases are not all there."""
+    values = np.tile(np.linspace(0.0, 1.0, 12)[:, None], (1, 4))
+    values[3], values[5, 2:] = np.nan, np.nan
+    record, times = Column("g.velocity", "m/s", values), np.arange(4.0)
+    table = SweepTable((), (), ("",) * 12, records=(record,), times=times, attributes={"design": "lhs"})
+    band = bands(table, 12)["g.velocity"]
+    rest = np.delete(np.linspace(0.0, 1.0, 12), 3)
+    assert band[2, :2] == pytest.approx([np.median(rest)] * 2) and np.isnan(band[:, 2:]).all()
+    _, ax = plt.subplots()
+    draw_records(ax, table, record)
+    assert ax.get_title(loc="left") == "g, 11 cases" and ax.lines[0].get_ydata() == pytest.approx(band[2, :2])
+    plt.close("all")
+
+
+def test_the_names_of_results_and_of_indices_do_not_cover_each_other():
+    rows = [Index("spall.spall_strength_acoustic", name, 0.5, 0.4, 0.6, 0.6, 0.5, 0.7, 0) for name in ("a", "b")]
+    figure, ax = plt.subplots(figsize=(4.8, 2.9), layout="constrained")
+    draw_indices(ax, rows)
+    figure.canvas.draw()
+    legend = ax.get_legend().get_window_extent()
+    assert not any(legend.overlaps(text.get_window_extent()) for text in (ax._left_title, ax.xaxis.label))
+    plt.close("all")
 
 
 def test_paths_of_morris_change_one_parameter_at_a_time():
