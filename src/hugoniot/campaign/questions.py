@@ -89,19 +89,20 @@ class Asked:
 class Deck(Asked):
     """A deck: its text, the name messages call it, where users' materials are looked for, and what is kept of each case.
 
-    records   "GAUGE.field" of which each case keeps `points` values from 0 to `until` (s)
+    records   "GAUGE.field" of which each case keeps `points` values from `since` to `until` (s)
     runs      folder for full run folders, or None
     pops      (input pressures in Pa, distances in m that they are wanted to have) of each Pop plot asked for besides
     run       whether the deck itself is run: its numbers and records
     """
 
     def __init__(self, text: str, name: str, beside: str | None = None, places: Sequence[str] = (), records: Sequence[str] = (),
-                 until: float = 0.0, runs: str | None = None, points: int = POINTS, pops: Sequence = (), run: bool = True):
+                 until: float = 0.0, runs: str | None = None, points: int = POINTS, pops: Sequence = (), run: bool = True,
+                 since: float = 0.0):
         from hugoniot.problem.deck import parse_deck
 
         self.text, self.name, self.beside, self.places = text, name, beside, tuple(places)
         self.records, self.until, self.runs, self.points = tuple(records), until, runs, points
-        self.pops, self.run = [list(map(list, pop)) for pop in pops], run
+        self.pops, self.run, self.since = [list(map(list, pop)) for pop in pops], run, since
         self.raw = parse_deck(text, name)
         self.raw.pop("sweep", None)
         self.beside_path = None if beside is None else pathlib.Path(beside)
@@ -109,7 +110,7 @@ class Deck(Asked):
     def record(self) -> dict:
         pops = {"pops": self.pops, "run": self.run}
         return {"kind": "deck", "text": self.text, "name": self.name, "beside": self.beside, "places": list(self.places), **pops,
-                "records": list(self.records), "until": self.until, "runs": self.runs, "points": self.points}
+                "records": list(self.records), "since": self.since, "until": self.until, "runs": self.runs, "points": self.points}
 
     def read(self, changes: Mapping[str, Any]):
         """The deck with the changes; `DeckError` with every problem."""
@@ -126,7 +127,8 @@ class Deck(Asked):
 
     def prepared(self, changes):
         deck = self.read(changes)
-        kept = "".join(f"# {self.points} {self.until!r} {name}\n" for name in self.records)
+        span = f"{self.since!r} {self.until!r}" if self.since else f"{self.until!r}"
+        kept = "".join(f"# {self.points} {span} {name}\n" for name in self.records)
         kept += "".join(f"# pop plot {pop!r}\n" for pop in self.pops) + ("" if self.run else "# not run\n")
         return deck.resolved + kept, lambda key: self._ran(deck, key)
 
@@ -156,8 +158,12 @@ class Deck(Asked):
 
         return distances(explosive_of(problem), *pop)
 
+    def times(self) -> np.ndarray:
+        """At which the records of a case are kept, s."""
+        return np.linspace(self.since, self.until, self.points)
+
     def _kept(self, found) -> dict[str, list[float]]:
-        times, kept = np.linspace(0.0, self.until, self.points), {}
+        times, kept = self.times(), {}
         for name in self.records:
             gauge, _, field = name.rpartition(".")
             time, values = found.gauge(field, gauge)

@@ -27,7 +27,7 @@ from hugoniot.campaign.targets import Target, read_targets
 from hugoniot.campaign.variables import read_variable, refuse
 from hugoniot.units import UnitError, parse
 
-POINTS = 2000        # of a model's record
+POINTS = 2000        # of a model's record, over the times of the data
 
 
 @dataclass
@@ -105,6 +105,7 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
     targets, notes = _targets(question, plan, wishes)
     question.records = tuple(dict.fromkeys(t.name for t in targets if t.clock >= 0))
     limits = [_limit(wishes.shift, "s", "--shift"), _limit(wishes.scale, "1", "--scale")]
+    look_at(question, targets, limits[0])
     clocks = 1 + max(t.clock for t in targets)
     with (engine or local(workers))(question.record(), ()) as pool:
         ask = _asking(pool, question, show)
@@ -174,9 +175,17 @@ def _targets(question: Deck, plan: Plan, wishes: FitWishes) -> tuple[list[Target
     return [*targets, *pops], list(dict.fromkeys([*notes, *own]))
 
 
+def look_at(question: Deck, targets: list[Target], shift: float) -> None:
+    """Keep the records of the runs only as far as the data need them: what is kept of them then follows the data however long the run."""
+    ends = [(float(t.time[0]), float(t.time[-1])) for t in targets if t.clock >= 0]
+    if ends:
+        question.since = max(0.0, min(low for low, _ in ends) - shift)
+        question.until = min(question.until, max(high for _, high in ends) + shift)
+
+
 def _asking(pool, question: Deck, show) -> Callable[[list[dict]], list[dict]]:
     """Runs of the deck on workers, their records beside the times they are for."""
-    times = np.linspace(0.0, question.until, POINTS)
+    times = question.times()
     total = 0
 
     def ask(changes: list[dict]) -> list[dict]:

@@ -15,8 +15,8 @@ from hugoniot.campaign.fit_files import claimed
 from hugoniot.campaign.fit_results import weighed
 from hugoniot.campaign.memory_run import MemoryRun
 from hugoniot.campaign.questions import Deck
-from hugoniot.campaign.run_fit import FitWishes, run_fit
-from hugoniot.campaign.targets import noise_of
+from hugoniot.campaign.run_fit import POINTS, FitWishes, look_at, run_fit
+from hugoniot.campaign.targets import Target, noise_of
 from hugoniot.errors import DeckError, FileTrouble, NoSolution
 from hugoniot.explorer import fits
 from hugoniot.output.verify import verify
@@ -243,6 +243,16 @@ def test_a_record_of_something_else_is_not_fitted_silently(deck, tmp_path, inlin
     wishes = FitWishes([data], FREE, gauge="free surface", sigma="5 m/s", local=True, starts=1)
     found = run_fit(deck, wishes, False, engine=inline)
     assert not found.fit.matches and "does not match the data" in found.fit.doubts[0] and found.folder is None
+
+
+def test_a_long_run_is_kept_as_finely_as_the_data_are(deck):
+    """20 us of a deck whose precursor takes 30 ns: at the times of the data the kept record is the run's own."""
+    at = np.linspace(0.6e-6, 0.75e-6, 151)
+    question = Deck(deck.read_text(), deck.name, records=("free surface.velocity",), until=20e-6, points=POINTS)
+    look_at(question, [Target("record", "free surface.velocity", "m/s", at, at, at, 0)], 20e-9)
+    changes = {"stop_time": "20 us"}
+    kept = np.interp(at, question.times(), question.answer(changes)["records"]["free surface.velocity"])
+    assert kept == pytest.approx(np.interp(at, *MemoryRun(question.read(changes).problem).gauge("velocity", "free surface")), abs=0.5)
 
 
 def test_numbers_and_windows_and_uncertainties_of_the_file(deck, tmp_path, inline, monkeypatch):
