@@ -103,9 +103,9 @@ def fit_rate(material: Material, line: PopLine, pressures: Sequence[float], adju
                    tuple(float(v) for v in model / wanted), refined, zones, runs, fit, target, model)
 
 
-def as_fitted(found: RateFit, deck: str, note: str, folder: pathlib.Path | None = None) -> Fitted:
+def as_fitted(found: RateFit, deck: str, notes: Sequence[str], folder: pathlib.Path | None = None) -> Fitted:
     """The same as `hugoniot fit` has it, with the table of the burn law for a deck: what `fit_files.write_fit` writes."""
-    return Fitted(found.fit, (found.target,), (found.model,), deck, (note,), folder)
+    return Fitted(found.fit, (found.target,), (found.model,), deck, tuple(notes), folder)
 
 
 class _Unknowns:

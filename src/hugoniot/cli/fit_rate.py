@@ -1,5 +1,6 @@
 """hugoniot fit-rate: constants of a burn law calibrated to a measured Pop plot."""
 
+import math
 from pathlib import Path
 from typing import Annotated
 
@@ -42,23 +43,24 @@ def command(
     from hugoniot.cli.pop_plot import material_named, pressure_list
 
     chosen = _started(material_named(material, materials), start)
-    wanted, described = _line(to or material, line)
+    wanted, described, span = _line(to or material, line)
     folder = None if out is None else claimed(out)
     names = [name.strip() for name in adjust.split(",") if name.strip()]
     try:
         found = fit_rate(chosen, wanted, pressure_list(pressures, points), names, zones, jobs)
+        told = _told(found, span)
     except OutOfRange as error:
         message, _, hint = str(error).partition("; ")
         raise DeckError.single("command line", None, "fit-rate", message, hint) from None
     if folder is not None:
-        write_fit(folder, as_fitted(found, _toml(found, material), f"calibrated to {described}", folder), material)
+        write_fit(folder, as_fitted(found, _toml(found, material), [f"calibrated to {described}", *told], folder), material)
     if as_json:
         echo_json({"material": chosen.name, "line": described, "before": found.before, "after": found.after, "zones": found.zones,
-                   "runs": found.runs, "burn": _table(found.material.burn), "fit": fit_record(found.fit), "points": [
+                   "runs": found.runs, "burn": _table(found.material.burn), "fit": fit_record(found.fit), "notes": told, "points": [
                        {"pressure": p.pressure, "distance": p.distance, "ratio": coarse, "refined_ratio": fine, "note": p.note}
                        for p, coarse, fine in zip(found.points, found.ratios, found.refined)]})
         return
-    _print_found(found, described, material)
+    _print_found(found, described, material, told)
 
 
 # -- input -----------------------------------------------------------------------------------------------------------
@@ -91,7 +93,7 @@ def _started(material, text: str):
 
 
 def _line(name: str, own: str):
-    """(PopLine, what to call it) of a published line, or of the one given."""
+    """(PopLine, what to call it, the pressures in Pa between which it was measured) of a published line, or of the one given."""
     from hugoniot.diagnostics.detonation import PopLine
     from hugoniot.materials import library
     if own:
@@ -103,7 +105,7 @@ def _line(name: str, own: str):
         if not b < 0.0:
             raise DeckError.single("command line", None, "--line",
                                    f"the run distance must fall with pressure, so b must be negative, got {b:g}")
-        return PopLine(a, b), f"log10(p/GPa) = {a:g} {b:+g} log10(x/mm)"
+        return PopLine(a, b), f"log10(p/GPa) = {a:g} {b:+g} log10(x/mm)", (0.0, math.inf)
     rows = [row for row in library.schema.table("pop_plot").values() if row.id == name.strip().upper()] or list(library.pop_lines(name))
     if not rows:
         raise DeckError.single("command line", None, "--to", f"the library has no measured Pop plot of '{name[:60]}'",
@@ -112,7 +114,8 @@ def _line(name: str, own: str):
     row = rows[0]
     doubt = "; not checked against the printed source" if row.status == "recalled" else ""
     span = f"{row['pressure_low'] * 1e-9:g} to {row['pressure_high'] * 1e-9:g} GPa"
-    return PopLine(row["a"], row["b"]), f"{row.id} {row.material}, measured from {span} ({row.source}{doubt})"
+    words = f"{row.id} {row.material}, {row['rho0']:g} kg/m3, measured from {span} ({row.source}{doubt})"
+    return PopLine(row["a"], row["b"]), words, (row["pressure_low"], row["pressure_high"])
 
 
 # -- output ----------------------------------------------------------------------------------------------------------
@@ -126,7 +129,21 @@ def _toml(found, material: str) -> str:
     return to_toml({"material": {"fitted": {"base": material, "burn": _table(found.material.burn)}}})
 
 
-def _print_found(found, described: str, material: str) -> None:
+def _told(found, span: tuple[float, float]) -> list[str]:
+    """What the standard deviations assume, and where the line is used beyond its data."""
+    from hugoniot.campaign.pop_target import RELATIVE_SIGMA
+
+    count = len(found.points)
+    said = [f"each of the {count} run distances of the line counts as an independent measurement with a standard deviation of "
+            f"{100 * RELATIVE_SIGMA:g} %: the standard deviations of the constants depend on this and on the number of runs, not on the "
+            "scatter of the measured points"]
+    beyond = [f"{p.pressure * 1e-9:.4g}" for p in found.points if not span[0] * (1.0 - 1e-9) <= p.pressure <= span[1] * (1.0 + 1e-9)]
+    if beyond:
+        said.append(f"at {', '.join(beyond)} GPa the line is extrapolated beyond its measured points")
+    return said
+
+
+def _print_found(found, described: str, material: str, told: list[str]) -> None:
     typer.echo(f"{material} calibrated to {described}: {found.runs} runs, {found.zones} zones in a run distance")
     echo_table(["constant", "before", "after"], [[name, f"{found.before[name]:.6g}", f"{found.after[name]:.6g}"] for name in found.after])
     echo_table(["parameter", "value", "standard deviation", "95 % interval"],
@@ -134,7 +151,7 @@ def _print_found(found, described: str, material: str) -> None:
     echo_table(["pressure, GPa", "run distance, mm", "ratio to the line", "with zones half the size"],
                [[f"{p.pressure * 1e-9:.4g}", f"{p.distance * 1e3:.4g}", f"{coarse:.3f}", f"{fine:.3f}"]
                 for p, coarse, fine in zip(found.points, found.ratios, found.refined)])
-    for doubt in found.fit.doubts:
+    for doubt in (*told, *found.fit.doubts):
         typer.echo(f"note: {doubt}", err=True)
     off, mesh = (max(abs(v - 1.0) for v in values) for values in (found.refined, [f / c for f, c in zip(found.refined, found.ratios)]))
     typer.echo(f"with zones half the size within {100 * off:.1f} % of the line; they changed run distances by up to {100 * mesh:.1f} %")

@@ -126,7 +126,7 @@ def _ratio(point, row) -> float:
     """Run distance over that of a measured line; not-a-number outside the line's pressures."""
     from hugoniot.diagnostics.detonation import PopLine
 
-    if not row["pressure_low"] <= point.pressure <= row["pressure_high"]:
+    if not row["pressure_low"] * (1.0 - 1e-9) <= point.pressure <= row["pressure_high"] * (1.0 + 1e-9):
         return math.nan
     return point.distance / float(PopLine(row["a"], row["b"]).distance(point.pressure))
 

@@ -17,6 +17,7 @@ def page(title: str, fit: dict, records, deck: str, posterior=None) -> str:
     """The whole page as HTML text; fit as in fit.json, records as of `plotting.fit.draw_target`, posterior a `Posterior` or None."""
     css = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
     doubts = "".join(f'<p class="warning">{text(words)}</p>' for words in fit["doubts"])
+    doubts += "".join(f"<p>{text(words)}</p>" for words in fit["notes"])
     facts = cards([("reduced chi-square", number(float(f"{fit['reduced_chi_square']:.4g}"))),
                    ("degrees of freedom", str(fit["degrees_of_freedom"])), ("runs", str(fit["runs"]))])
     figures = []

@@ -72,6 +72,13 @@ def test_the_command_gives_a_table_for_a_deck(capsys, tmp_path):
     assert "input pressure" in rows[0] and len(rows) == 3 and "ignition_growth" in (tmp_path / "rate" / "fitted.toml").read_text()
 
 
+def test_pressures_beyond_the_measured_ones_and_what_the_deviations_assume_are_stated(capsys):
+    """R004 was measured from 10.1 to 15 GPa."""
+    code, out, _ = call(capsys, "LX-17 reactive", "--to", "R004", "-p", "15, 18 GPa", "--adjust", "g1", "--zones", "50", "--json")
+    notes = json.loads(out)["notes"]
+    assert code == 0 and any("at 18 GPa the line is extrapolated" in note for note in notes) and any("5 %" in note for note in notes)
+
+
 @pytest.mark.parametrize(("arguments", "words"), [
     (("LX-17 reactive",), "R004"), (("LX-17 reactive", "--to", "R004", "--start", "g9 = 1"), "g9"),
     (("LX-17 reactive", "--to", "R004", "--start", "y"), "--start"), (("LX-17 reactive", "--line", "1.1"), "--line"),
