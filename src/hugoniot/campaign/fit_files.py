@@ -52,7 +52,7 @@ def record_of(found) -> dict[str, Any]:
     """A `run_fit.Fitted` as plain data."""
     drawn = {} if found.posterior is None else {"posterior": posterior_record(found.posterior)}
     return {**fit_record(found.fit), "notes": list(found.notes),
-            "targets": [{"label": t.label, "name": t.name, "points": len(t.values)} for t in found.targets], **drawn}
+            "targets": [{"label": t.label, "name": t.name, "unit": t.unit, "points": len(t.values)} for t in found.targets], **drawn}
 
 
 def fit_record(fit: Fit) -> dict[str, Any]:

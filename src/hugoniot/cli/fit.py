@@ -98,7 +98,8 @@ def _echo(found) -> None:
     widest = max(len(row) for row in rows)
     heads = ["parameter", "value", "standard deviation", "95 % interval", "95 % by profile"][:widest]
     echo_table(heads, [row + ["?"] * (widest - len(row)) for row in rows])
-    typer.echo(f"\nreduced chi-square {fit.reduced:.4g} for {fit.freedom} degrees of freedom; {fit.runs} runs")
+    degrees = f"{fit.freedom} degree{'' if fit.freedom == 1 else 's'} of freedom"
+    typer.echo(f"\nreduced chi-square {fit.reduced:.4g} for {degrees}; {fit.runs} runs")
     for doubt in fit.doubts:
         typer.echo(f"note: {doubt}")
     if found.posterior is not None:

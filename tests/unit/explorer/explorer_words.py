@@ -70,8 +70,10 @@ def write_fit(folder):
                   {"name": names[1], "unit": "s", "value": 4e-9, "sigma": 1e-9, "low": 2e-9, "high": 6e-9, "profile_low": None, "profile_high": None}]
     fit = {"parameters": parameters, "correlation": [[1.0, 0.62], [0.62, 1.0]], "chi_square": 60.0, "degrees_of_freedom": 58, "reduced_chi_square": 1.03,
            "probability": 0.4, "matches": True, "others": [{"values": [3.1e9, 1e-9], "chi_square": 300.0}], "doubts": [], "notes": ["<b>note</b>"], "runs": 84,
-           "targets": [{"label": "visar.csv: velocity", "name": "free surface.velocity", "points": 60}, {"label": "arrival", "name": "free surface.arrival", "points": 1}]}
+           "targets": [{"label": "visar.csv: velocity", "name": "free surface.velocity", "points": 60}, {"label": "arrival", "name": "free surface.arrival", "unit": "s", "points": 1},
+                       {"label": "wedge.csv", "name": "pop plot 1.distance", "unit": "m", "points": 2}]}
     rows = [("visar.csv: velocity", t, d, m, sigma, (m - d) / sigma) for t, d, m in zip(times, data, model)] + [("arrival", math.nan, 6.9e-7, 6.88e-7, 1e-8, -0.2)]
+    rows += [("wedge.csv", p, x, 1.02 * x, 0.05 * x, 0.4) for p, x in ((8e9, 2e-3), (14e9, 9e-4))]
     folder.mkdir(parents=True)
     (folder / "fit.json").write_text(json.dumps(fit))
     (folder / "residuals.csv").write_text("target,time [s],data,model,sigma,residual\n" + "".join(f"{a},{','.join(repr(v) for v in rest)}\n" for a, *rest in rows))

@@ -211,6 +211,8 @@ def test_a_fit_shows_values_residuals_and_posterior(visit, opened, monkeypatch):
     away = (inner - np.array([[5.2], [4.0]])) / np.array([[0.11], [1.0]])
     square = (away[0] ** 2 - 2 * 0.62 * away[0] * away[1] + away[1] ** 2) / (1 - 0.62**2)      # chi-square of two correlated parameters
     assert square == pytest.approx(2.2957, rel=1e-9)
+    drawn = page.evaluate("[...document.querySelectorAll('svg text')].map(t => t.textContent)")      # a Pop plot is no record over time
+    assert "input pressure (GPa)" in drawn and "run distance (mm)" in drawn and page.locator("td", has_text="0.69 µs").count() == 1
     page.click("#as-python")
     found = []
     exec(page.text_content("#command"), {"print": lambda *values: found.append(values)})

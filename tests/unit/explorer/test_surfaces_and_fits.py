@@ -77,7 +77,8 @@ def test_a_fit_is_read_from_its_folder(tmp_path):
     places = places_of([str(tmp_path / "spall.fit")])
     assert [f.name for f in places.fits] == ["spall.fit"] and not places.runs
     found = fits.fit(places.fit(0).path)
-    assert found["fit"] == fit and [t["name"] for t in found["targets"]] == ["free surface.velocity", "free surface.arrival"]
+    assert found["fit"] == fit and [t["name"] for t in found["targets"]] == ["free surface.velocity", "free surface.arrival", "pop plot 1.distance"]
+    assert [(t["unit"], t["pop_plot"]) for t in found["targets"]] == [("m/s", False), ("s", False), ("m", True)]
     assert found["targets"][0]["data"] == data and found["targets"][0]["unit"] == "m/s" and found["targets"][1]["data"] == [6.9e-7]
     assert found["draws"] == []
     (tmp_path / "spall.fit" / "posterior.csv").write_text("a [Pa],b [s]\n" + "".join(f"{5e9 + k},{1e-9 * k}\n" for k in range(9)))

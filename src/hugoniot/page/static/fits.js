@@ -12,12 +12,13 @@
     xSelect = pick("Parameter on the x axis", "x"); ySelect = pick("Parameter on the y axis", "y");
     pairHost = H.h("div", {class: "fits"});
     readout = H.h("div", {class: "readout", "aria-live": "polite", "data-readout": "pointer"});
-    main.append(H.h("div", {class: "column"}, H.h("div", {class: "bar"}, select), facts, table, H.h("h2", {}, "Data and model"), host, readout, H.h("h2", {}, "Posterior"),
-      H.h("div", {class: "bar small"}, H.h("label", {}, "x axis", xSelect), H.h("label", {}, "y axis", ySelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => pair, () => "posterior"))), pairHost));
+    main.append(H.h("div", {class: "column"}, H.h("div", {class: "bar"}, select), facts, table, H.h("h2", {}, "Data and model"), host, readout, H.h("h2", {}, "Uncertainty of the parameters"),
+      H.h("div", {class: "bar small"}, H.h("label", {}, "x axis", xSelect), H.h("label", {}, "y axis", ySelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => pair, () => "posterior"))), pairHost,
+      H.h("p", {class: "small quiet"}, "Curves: normal distribution with the values, standard deviations and correlations of the fit. Dots, if any: draws of the sampled posterior distribution.")));
     const left = H.h("div"), right = H.h("div");
     pairHost.append(left, right);
-    pair = new H.Chart(left, {label: "Posterior of two parameters", height: 0.7, most: 460, keep: true, zoomKey: "pz", onHover: hit => say(pair, hit)});
-    one = new H.Chart(right, {label: "Posterior of one parameter", height: 0.7, most: 460, keep: true, zoomKey: "oz", onHover: hit => say(one, hit)});
+    pair = new H.Chart(left, {label: "Uncertainty of two parameters", height: 0.7, most: 460, keep: true, zoomKey: "pz", onHover: hit => say(pair, hit)});
+    one = new H.Chart(right, {label: "Uncertainty of one parameter", height: 0.7, most: 460, keep: true, zoomKey: "oz", onHover: hit => say(one, hit)});
     shownKey = "";
   };
   view.close = () => { order++; for (const c of [...charts, pair, one]) c.stop(); charts = []; };
@@ -40,6 +41,7 @@
   };
   const known = v => v !== null && v !== undefined && Number.isFinite(v);
   const shown = p => { const top = Math.max(...[p.value, p.low, p.high].filter(known).map(Math.abs), 0); return p.unit === "Pa" ? H.fits([top], "GPa", 1e-9) : p.unit === "s" ? H.timeUnit(top) : p.unit === "m" ? H.lengthUnit(top) : [p.unit === "1" ? "" : p.unit, 1]; };
+  const inUnit = (t, top) => t.unit === "s" ? H.timeUnit(top) : t.unit === "Pa" ? H.fits([top], "GPa", 1e-9) : t.unit === "m" ? H.lengthUnit(top) : [t.shown, t.factor];
   const words = p => H.labelled(p.name.replace(/_/g, " "), shown(p)[0]);
 
   function drawFacts(fit) {
@@ -55,16 +57,16 @@
     H.clear(host);
     const single = targets.filter(t => t.time.length === 1);
     if (single.length) host.append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Numbers"}, H.h("table", {}, H.h("thead", {}, H.h("tr", {}, ["quantity", "measured", "± σ", "model", "(model − data) / σ"].map((t, k) => H.h("th", {class: k ? "number" : ""}, t)))),
-      H.h("tbody", {}, single.map(t => { const [unit, f] = t.unit === "s" ? H.timeUnit(Math.abs(t.data[0])) : [t.shown, t.factor]; return H.h("tr", {}, H.h("td", {}, t.label), [t.data[0], t.sigma[0], t.model[0]].map(v => H.h("td", {class: "number"}, `${H.digits(known(v) ? v * f : v)} ${unit}`)), H.h("td", {class: "number"}, H.digits(t.residual[0], 3))); })))));
+      H.h("tbody", {}, single.map(t => { const [unit, f] = inUnit(t, Math.abs(t.data[0])); return H.h("tr", {}, H.h("td", {}, t.label), [t.data[0], t.sigma[0], t.model[0]].map(v => H.h("td", {class: "number"}, `${H.digits(known(v) ? v * f : v)} ${unit}`)), H.h("td", {class: "number"}, H.digits(t.residual[0], 3))); })))));
     for (const t of targets.filter(t => t.time.length > 1)) {
-      const box = H.h("div"), above = H.h("div"), below = H.h("div"), [tUnit, ft] = H.timeUnit(t.time.at(-1) || 1e-6), top = t.data.reduce((m, v) => Math.max(m, Math.abs(v) || 0), 0), [unit, factor] = t.unit === "Pa" ? H.fits([top], "GPa", 1e-9) : [t.shown, t.factor];
+      const box = H.h("div"), above = H.h("div"), below = H.h("div"), [tUnit, ft] = t.pop_plot ? ["GPa", 1e-9] : H.timeUnit(t.time.at(-1) || 1e-6), along = H.labelled(t.pop_plot ? "input pressure" : "time", tUnit), top = t.data.reduce((m, v) => Math.max(m, Math.abs(v) || 0), 0), [unit, factor] = inUnit(t, top), words = t.pop_plot ? "run distance" : t.words;
       host.append(H.h("h3", {}, t.label), box);
       box.append(above, below);
       const x = t.time.map(v => v * ft), y = v => v.map(n => n === null ? null : n * factor), sides = [-2, 2].map(k => t.data.map((v, i) => known(v) && known(t.sigma[i]) ? (v + k * t.sigma[i]) * factor : null));
       const data = new H.Chart(above, {label: `Data and model: ${t.label}`, height: 0.3, most: 320, least: 220, keep: true, zoomKey: `d${charts.length / 2}`, onHover: hit => say(data, hit)}), rest = new H.Chart(below, {label: `Residuals: ${t.label}`, height: 0.16, most: 180, least: 150, keep: true, zoomKey: `r${charts.length / 2}`, onHover: hit => say(rest, hit)});
       charts.push(data, rest);
-      data.show({series: [{kind: "band", colour: "quiet", x, y: sides[0], y2: sides[1]}, {kind: "points", id: "data", colour: "ink", size: 1.8, x, y: y(t.data), hover: true}, {kind: "line", id: "model", label: "model", colour: 1, x, y: y(t.model), hover: true}], x: {label: H.labelled("time", tUnit)}, y: {label: H.labelled(t.words, unit)}, right: 70});
-      rest.show({series: [{kind: "band", colour: "quiet", x: [x[0], x.at(-1)], y: [-2, -2], y2: [2, 2]}, {kind: "line", id: "residual", colour: 1, x, y: t.residual, hover: true, width: 1.1}], marks: [{kind: "hline", y: 0, colour: "quiet"}], x: {label: H.labelled("time", tUnit)}, y: {label: "model − data (σ)"}, right: 70});
+      data.show({series: [{kind: "band", colour: "quiet", x, y: sides[0], y2: sides[1]}, {kind: "points", id: "data", colour: "ink", size: 1.8, x, y: y(t.data), hover: true}, {kind: "line", id: "model", label: "model", colour: 1, x, y: y(t.model), hover: true}], x: {label: along, log: t.pop_plot}, y: {label: H.labelled(words, unit), log: t.pop_plot}, right: 70});
+      rest.show({series: [{kind: "band", colour: "quiet", x: [x[0], x.at(-1)], y: [-2, -2], y2: [2, 2]}, {kind: "line", id: "residual", colour: 1, x, y: t.residual, hover: true, width: 1.1}], marks: [{kind: "hline", y: 0, colour: "quiet"}], x: {label: along, log: t.pop_plot}, y: {label: "(model − data) / σ"}, right: 70});
       host.append(H.h("p", {class: "small quiet", style: {margin: 0}}, "Dots: data. Band: two standard deviations of the data. Line: model with the fitted values."));
     }
   }
