@@ -170,17 +170,17 @@ def detonations(points: Sequence, ax=None):
 
 @styled
 def us_up_fit(fits: Sequence, ax=None):
-    """Measured points with the fitted line and its one-sigma band; beyond the last point the line is dashed; gives the axes."""
+    """Measured points with the fitted line and its one-sigma band; dashed where no points are; gives the axes."""
     ax = ax if ax is not None else new_axes(5.4, 3.8)
     for i, (name, found) in enumerate(fits):
         colour = COLOURS[i % len(COLOURS)]
         up, us = found.points.T * 1e-3
         ax.plot(up, us, "o", ms=3.4, mfc="none", mec=colour, mew=0.7, alpha=0.7)
         x = np.linspace(0.0, 1.15 * found.highest, 200)
-        inside = x <= found.highest
+        inside = (x >= found.least) & (x <= found.highest)
         y, band = found(x), found.band(x)
-        ax.plot(x[inside] * 1e-3, y[inside] * 1e-3, color=colour)
-        ax.plot(x[~inside] * 1e-3, y[~inside] * 1e-3, color=colour, ls=(0, (4, 2)))
+        ax.plot(x * 1e-3, np.where(inside, y, np.nan) * 1e-3, color=colour)
+        ax.plot(x * 1e-3, np.where(inside, np.nan, y) * 1e-3, color=colour, ls=(0, (4, 2)))
         ax.fill_between(x * 1e-3, (y - band) * 1e-3, (y + band) * 1e-3, color=colour, alpha=0.18, lw=0)
         terms = [f"{found.coefficients[0] * 1e-3:.3f}", f"{found.coefficients[1]:.3f} up"]
         if len(found.coefficients) == 3:

@@ -3,6 +3,7 @@
 import csv
 import json
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
@@ -49,6 +50,15 @@ def test_error_bars_of_a_ring_up_are_those_of_its_own_states():
     assert len(found) == 5
     for state, low, high in zip(found, slow, fast):
         assert state["uncertainty"]["pressure"]["sigma"] == pytest.approx(high["pressure"] - low["pressure"], rel=1e-6)
+
+
+def test_a_line_through_points_of_a_parabola_is_reported(tmp_path):
+    """With noise of 10 m/s: s2 = 5e-5 s/m bends the curve by 80 m/s from the line at the ends, s2 = 0 not at all."""
+    noise = 10.0 * np.random.default_rng(2).standard_normal(20)
+    for s2 in (5e-5, 0.0):
+        lines = [f"{u},{3940.0 + 1.5 * u + s2 * u * u + n}" for u, n in zip(np.linspace(200.0, 4000.0, 20), noise)]
+        (tmp_path / "shots.csv").write_text("up (m/s),us (m/s)\n" + "\n".join(lines) + "\n", encoding="utf-8")
+        assert any("not on a straight line" in word for word in answer("fit", str(tmp_path / "shots.csv"))["warnings"]) == (s2 > 0.0)
 
 
 def test_a_match_beyond_a_law_names_the_material_and_a_row_that_reaches_further():
@@ -217,6 +227,8 @@ def test_few_rows_make_no_polygon_of_the_picture():
     (("hugoniot", "comp_b", "--reaction", "--after", "pressure = 1 GPa"), 2, "omit it"), (("second-shock", "--first", "-0.1"), 2, "must be positive"),
     (("second-shock", "--mu", "1.5"), 3, "compression limit"), (("fit-gamma", "water_like", "--at", "pressure = 1 GPa"), 2, "unknown material"),
     (("fit-gamma", "tnt", "--at", "pressure = 1 GPa"), 2, "unreacted"), (("match", "copper", "pmma", "--velocity", "1 kms"), 2, "did you mean"),
+    (("fit", "copper", "--density", "8 g/cm^3"), 2, "has no effect without --toml"), (("fit", "copper", "--toml", "--json"), 2, "has no effect with --toml"),
+    (("hugoniot", "copper", "--data", "shots.csv"), 2, "add --plot"),
     (("fit", "missing.csv"), 4, "cannot read missing.csv"), (("fit", "copper", "--from", "2.9 km/s", "--to", "2.92 km/s"), 2, "copper: points: a fit of degree 1"), (("hugoniot", "copper", "--plot", "x.doc"), 2, "not a picture file")])
 def test_bad_input_is_answered_with_the_way_out(arguments, code, words):
     result = eos(*arguments)

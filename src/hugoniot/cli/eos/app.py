@@ -59,6 +59,9 @@ def hugoniot(
     """
     from hugoniot.cli.eos import hugoniot as eos_hugoniot
 
+    if data and (plot is None or kind not in ("us-up", "p-up")):
+        raise DeckError.single("command line", None, "--data", "measured points are drawn in pictures of the axes us-up and p-up only",
+                               "add --plot, and --axes us-up or p-up")
     asked = eos_hugoniot.Question(at, points, up_to, density, after, reaction, heat, data or [])
     eos_hugoniot.report(eos_hugoniot.solve_all(materials, asked), at is not None, kind, as_json, as_csv, plot)
 
@@ -195,6 +198,15 @@ def fit(
     """
     from hugoniot.cli.eos import fit as eos_fit
 
+    mode = "--jwl-proportional" if solid_jwl else "--toml" if as_toml else ""
+    given = {"--quadratic": quadratic, "--json": as_json, "--csv": as_csv, "--plot": plot, "--density": density,
+             "--gruneisen": gruneisen is not None, "--toml": as_toml}
+    idle = {"--toml": ("--json", "--csv", "--plot"), "--jwl-proportional": ("--quadratic", "--csv", "--plot", "--toml"),
+            "": ("--density", "--gruneisen")}[mode]
+    for option in idle:
+        if given[option]:
+            where = f"with {mode}" if mode else "without --toml or --jwl-proportional"
+            raise DeckError.single("command line", None, option, f"has no effect {where}", "omit it")
     low, high = quantity(least, "m/s", "--from") if least else 0.0, quantity(highest, "m/s", "--to") if highest else float("inf")
     if solid_jwl:
         eos_fit.solid_table(points, low, high, quantity(density, "kg/m^3", "--density") if density else None, gruneisen, as_json)

@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import numpy as np
 import typer
 
 from hugoniot.cli.eos.output import echo_columns, echo_notes, notes, write_csv
@@ -10,6 +11,7 @@ from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.theory.fits import adjusted_gamma, fit_jwl, read_expansion, read_points, shocked_state, truncated_pressure, us_up
 
+CURVED = 5.0     # standard deviations of the quadratic term
 WORDS = (("c0", "m/s"), ("s", ""), ("s2", "s/m"))
 
 
@@ -87,7 +89,17 @@ def _doubts(up, us, fitted) -> list[str]:
                      "shock can have")
     if len(fitted.coefficients) == 2 and not slope > 0.0:
         found.append(f"the shock velocity falls with the particle velocity (s = {slope:.4g}): such shocks are not stable")
-    return found
+    return [*found, *_curved(up, us, fitted)]
+
+
+def _curved(up, us, fitted) -> list[str]:
+    """A warning where a parabola follows the points so much better than the line that this is no chance."""
+    if len(fitted.coefficients) > 2 or np.unique(up).size < 5:
+        return []
+    better = us_up(up, us, 2)
+    away = better.coefficients[2] / better.deviations[2] if better.deviations[2] > 0.0 else 0.0
+    return [f"the points are not on a straight line: a parabola has a quadratic term of {abs(away):.0f} standard deviations; those "
+            "of c0 and s do not include this misfit; use --quadratic, or a smaller range (--from, --to)"] if abs(away) > CURVED else []
 
 
 def _at_bounds(found) -> list[str]:
@@ -130,7 +142,7 @@ def report(name: str, degree: int, least: float, highest: float, as_json: bool, 
         echo_notes([f"no particle velocity is above {fitted.highest:.3g} m/s: if they are in km/s, name the columns up (km/s), "
                     "us (km/s)"])
     typer.echo(f"standard deviation of the points about the curve: {fitted.deviation:.4g} m/s; "
-               f"beyond {fitted.highest:.6g} m/s it extrapolates")
+               f"below {fitted.least:.6g} and above {fitted.highest:.6g} m/s it extrapolates")
 
 
 def jwl(path: str, density: str, velocity: str, pressure: str, energy: str, omega: float | None, as_json: bool, as_csv, plot) -> None:
