@@ -160,20 +160,27 @@ def short_source(row: Row) -> str:
 
 
 def _material_curve(entry: Entry, top: float) -> Curve | None:
-    material = entry.material
-    if "reacted" in EOS.of(material.eos).flags:
-        material = replace(material, eos=entry.unreacted)
+    material, title = entry.material, entry.title
     first = schema.row(entry.rows[0]) if entry.rows else None
+    if "reacted" in EOS.of(material.eos).flags:
+        material, title = replace(material, eos=entry.unreacted), f"{entry.title}, unreacted"
+        first = _unreacted_row(entry) or first
     low = (first.get("up_min") or 0.0) if first is not None and first.table == "us_up" else 0.0
     high = material.valid_up_to or math.inf
     rho0 = float(reference_state(material.eos)[0])
-    label = f"{entry.title} (row {entry.rows[0]}, used here)" if entry.curated and entry.rows else entry.title
+    label = f"{title} (row {first.id}, used here)" if entry.curated and first is not None else title
     source = first.source if first is not None else entry.file
     up, us = _sample(partial(material_hugoniot, material), top)
     if len(up) < 2:
         return None
     status = first.status if first else "user"
     return Curve(label, up, us, rho0 * us * up, (up >= low) & (up <= high), source, status, True, entry.name)
+
+
+def _unreacted_row(entry: Entry) -> Row | None:
+    """The row of a material's rows that the equation of state of the unreacted explosive is taken from."""
+    sources = {source.source for source in entry.material.sources if source.quantity.startswith("unreacted.")}
+    return next((row for row in map(schema.row, entry.rows) if row.source in sources), None)
 
 
 def _sample(speed: Callable[[float], float], top: float) -> tuple[np.ndarray, np.ndarray]:

@@ -178,3 +178,13 @@ def test_measured_states_of_iron_are_solid_ones():
 def test_an_unreacted_explosive_is_compared_with_solids():
     found = curves.comparison([library.entry("lx_17"), library.entry("pmma")], 1000.0)
     assert len(found.curves) == 2 and found.curves[0].us[0] > 2000.0
+
+
+@pytest.mark.parametrize(("name", "row"), [("comp_b", "J050"), ("c4", "G005"), ("LX-17 reactive", "G001")])
+def test_the_hugoniot_of_an_explosive_names_the_source_of_its_unreacted_law(name, row):
+    """Composition B: the products of row J009 have no Hugoniot that the picture could show."""
+    entry = library.entry(name)
+    drawn = curves.comparison([entry, library.entry("copper")], 2000.0).curves[0]
+    stated = {source.source for source in entry.material.sources if source.quantity == "unreacted.rho0"}
+    assert f"unreacted (row {row}, used here)" in drawn.label or not entry.curated
+    assert {drawn.source} == stated
