@@ -61,6 +61,14 @@ def test_a_line_through_points_of_a_parabola_is_reported(tmp_path):
         assert any("not on a straight line" in word for word in answer("fit", str(tmp_path / "shots.csv"))["warnings"]) == (s2 > 0.0)
 
 
+def test_an_isentrope_beyond_the_densities_of_the_data_is_reported():
+    """The densities of the shock states of copper end at up = 2946 m/s."""
+    end = answer("hugoniot", "copper", "--at", "particle_velocity = 2946 m/s")["density"]
+    for to, beyond in (("100 GPa", False), ("600 GPa", True)):
+        found = answer("isentrope", "copper", "--to", to)
+        assert (max(found["density"]) > end) == beyond == any("extrapolated" in word for word in found["warnings"])
+
+
 def test_a_match_beyond_a_law_names_the_material_and_a_row_that_reaches_further():
     told = eos("match", "basalt", "basalt", "--velocity", "20 km/s")
     assert told.exit_code == 3

@@ -52,7 +52,8 @@ def find_inert(text: str) -> Subject:
     if subject.unreacted is None:
         raise DeckError.single("command line", None, text, "only detonation products are given, no unreacted explosive",
                                "hugoniot eos cj is for the products; name a material with an inert equation of state")
-    return replace(subject, material=replace(subject.material, eos=subject.unreacted, name=f"{subject.material.name} (unreacted)"))
+    material = replace(subject.material, eos=subject.unreacted, name=f"{subject.material.name} (unreacted)")
+    return replace(subject, material=material, title=subject.title and f"{subject.title} (unreacted)")
 
 
 def find_reactive(text: str, rate: str | None = None) -> tuple[Subject, list[str]]:

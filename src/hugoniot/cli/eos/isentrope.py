@@ -25,14 +25,25 @@ def report(materials: list[str], at: str | None, points: int, to: str | None, as
         drawn = [(s.material.name, None if s.reacted else curves.curve(s.material, up_to=1.15 * max(st.particle_velocity, 1.0)),
                   states if points >= 60 else _expansion(s, st, to, 60)) for s, st, states in paths]
         save(releases(drawn), plot)
-    told = [notes(s) if s.reacted else [*(split_notes(s.material, start) if at else ()), *notes(s, start.particle_velocity)]
-            for s, start, _ in paths]
+    told = [notes(s) if s.reacted else [*(split_notes(s.material, start) if at else ()), *notes(s, start.particle_velocity),
+                                        *([] if at else _beyond(s, states))] for s, start, states in paths]
     if not deliver([(s.material.name, st.table("entropy")) for s, _, st in paths], as_json=as_json, as_csv=as_csv, told=told):
         return
     for (subject, start, states), said in zip(paths, told):
-        typer.echo(f"{subject.title or subject.material.name}: isentrope from {cell('pressure', start.pressure)}")
+        what = ", detonation products" if subject.reacted else ""
+        typer.echo(f"{subject.title or subject.material.name}{what}: isentrope from {cell('pressure', start.pressure)}")
         echo_states(states)
         echo_notes(said)
+
+
+def _beyond(subject: Subject, states: States) -> list[str]:
+    """What must be said of a compression from rest to a density that no shock within the range of the data reaches."""
+    limit = subject.material.valid_up_to
+    if not limit:
+        return []
+    end, reached = float(curves.shock(subject.material, particle_velocity=limit).density), float(states.density.max())
+    return [] if reached <= end else [f"the data of {subject.material.name} end at up = {limit:.6g} m/s, where the density is "
+                                      f"{cell('density', end)}, but the isentrope reaches {cell('density', reached)}: extrapolated"]
 
 
 def _expansion(subject: Subject, start: States, to: str | None, points: int) -> States:
