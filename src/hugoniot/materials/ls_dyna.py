@@ -24,6 +24,8 @@ CARDS = {
                          ("CP", "PC", "SPALL", "IT", "D1", "D2", "D3", "D4"), ("D5", "C2", "EROD", "EFMIN", "NUMINT")),
     "MAT_HIGH_EXPLOSIVE_BURN": (("MID", "RO", "D", "PCJ", "BETA", "K", "G", "SIGY"),),
 }
+# first field of the last line that a card must have
+LAST = {"EOS_GRUNEISEN": "C", "EOS_JWL": "A", "MAT_JOHNSON_COOK": "CP", "MAT_HIGH_EXPLOSIVE_BURN": "RO"}
 NUMBERS = {"MAT_015": "MAT_JOHNSON_COOK", "MAT_008": "MAT_HIGH_EXPLOSIVE_BURN", "EOS_002": "EOS_JWL", "EOS_004": "EOS_GRUNEISEN"}
 WIDTH = 10
 
@@ -80,12 +82,18 @@ def read_cards(text: str, file: str) -> dict[str, dict[str, float]]:
                 raise DeckError.single(file, number, f"*{here}", "appears twice", "give a file with one material")
             if here in CARDS:
                 found[here] = {}
+            elif here.startswith(("MAT_", "EOS_")):
+                raise DeckError.single(file, number, f"*{printable(here, 40)}", "this card is not supported, and without it the material "
+                                       "is another", f"remove it if it is not needed; known: {', '.join('*' + name for name in CARDS)}")
         elif titled:
             titled = False
         elif here in CARDS and rows < len(CARDS[here]):
             names = CARDS[here][rows]
             found[here] |= {name: value for name, value in zip(names, _fields(line, names, file, number))}
             rows += 1
+    for name, card in found.items():
+        if LAST[name] not in card:
+            raise DeckError.single(file, None, f"*{name}", f"the card ends before the line with {LAST[name]}", "add the missing lines")
     return found
 
 
@@ -120,6 +128,9 @@ def material_tables(cards: dict[str, dict[str, float]], scale: Scale, file: str,
     left: list[str] = []
     tables: dict[str, Any] = {"eos": (_gruneisen if curves == ["EOS_GRUNEISEN"] else _jwl)(cards[curves[0]], scale, rho0, file)}
     if strength:
+        if strength.get("RATEOP", 0.0):
+            raise DeckError.single(file, None, "*MAT_JOHNSON_COOK", f"the rate form RATEOP = {strength['RATEOP']:g} is not supported",
+                                   "only RATEOP = 0, the factor 1 + C ln(rate/EPSO), has a law in hugoniot")
         tables["strength"], heat = _johnson_cook(strength, scale), strength["CP"] * scale.speed**2
         if heat > 0.0:
             tables["eos"]["specific_heat"] = heat
