@@ -6,7 +6,7 @@ import pathlib
 import re
 import shlex
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -188,8 +188,7 @@ def _drive(recorder, next_snapshot: int, begun: float, report: bool | Callable) 
 def _finish(recorder, outcome: Outcome, begun: float | None) -> None:
     """Hand the folder what is known at the end of a run."""
     folder, problem, solver = recorder.folder, recorder.problem, recorder.solver
-    _note_extrapolation(folder, problem, solver, recorder.warned)
-    for text in [*solver.warnings(), *_doubts(problem, solver)]:
+    for text in final_warnings(problem, solver, recorder.warned):
         folder.event(solver.time, solver.cycle, "warning", text)
     for kind, text in solver.notes():
         folder.event(solver.time, solver.cycle, kind, text)
@@ -231,15 +230,21 @@ def steady_numbers(problem: Problem) -> dict[str, float]:
     return {f"steady_{name}": found[name] for name in sizes} | {name: found[name] for name in others}
 
 
-def _note_extrapolation(folder: RunFolder, problem: Problem, solver: Solver, warned) -> None:
-    """Warn once for each material driven beyond the particle velocities its equation of state was fitted to."""
+def final_warnings(problem: Problem, solver: Solver, warned: Sequence[str]) -> list[str]:
+    """What must be said of a finished run; `warned` of it before."""
+    return [*_extrapolations(problem, solver, warned), *solver.warnings(), *_doubts(problem, solver)]
+
+
+def _extrapolations(problem: Problem, solver: Solver, warned: Sequence[str]) -> list[str]:
+    """A warning for each material driven beyond the particle velocities its equation of state was fitted to, unless it was foretold."""
+    found = []
     for name, speed in solver.largest_velocity_jump().items():
         end = range_of(problem.materials[name])
         foretold = any(f"data of '{name}'" in text or f"material '{name}' is driven to" in text for text in warned)
         if speed > end.up and not foretold:
             reach = f", but its data reach only {end.up:.4g} m/s" if end.stated else f": {beyond(end)}, and no range of its data is stated"
-            folder.event(solver.time, solver.cycle, "warning",
-                         f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s{reach}")
+            found.append(f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s{reach}")
+    return found
 
 
 def _doubts(problem: Problem, solver: Solver) -> list[str]:

@@ -40,7 +40,8 @@ def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Seque
           materials: Sequence = (), report: bool = True, **options):
     """Run a deck many times with some of its keys varied, and return an xarray Dataset of the results.
 
-    The parameters are the coordinates. Results are in SI, and NaN for a case that failed; the variable `reason` says why it failed.
+    The parameters are the coordinates. Results are in SI, and NaN for a case that failed; the variable `reason` says why it failed, and
+    the attribute `warnings` holds those of the runs, one in each line.
 
     deck        path of a deck, which may contain a table [sweep]; None with `match`
     vary        what varies: {"region.flyer.velocity": "300..1200 m/s : 10", "material.al.fracture.strength": ["1 GPa", "2 GPa"]},

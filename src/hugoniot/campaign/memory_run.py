@@ -15,7 +15,7 @@ from hugoniot.diagnostics.interface_gauges import without_mixtures
 from hugoniot.output.plane_record import plane_record
 from hugoniot.output.setup_record import setup_record
 from hugoniot.output.spall_records import region_named
-from hugoniot.simulate import make_solver, steady_numbers
+from hugoniot.simulate import final_warnings, make_solver, steady_numbers
 from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
 
 WORTH_A_BURST = 1_000_000      # updates of zones: some hundredths of a second
@@ -45,10 +45,11 @@ class _Columns(Mapping):
 class MemoryRun:
     """A finished run of a problem, of which only the gauges, the events and what readings ask of the snapshots were kept.
 
-    `setup` as of a run folder; `summary` has cycles, time, errors and counts. Raises what a run raises.
+    `setup` as of a run folder; `summary` has cycles, time, errors and counts; `warnings` those of a run, without those that were given
+    before it (`warned`). Raises what a run raises.
     """
 
-    def __init__(self, problem):
+    def __init__(self, problem, warned: Sequence[str] = ()):
         self.problem = replace(problem, solver=replace(problem.solver, threads=1)) if problem.solver.threads > 1 else problem
         flat = problem.solver.kind == "lagrange2d"
         self._names = [block.name for block in problem.blocks] if flat else [region.name for region in problem.regions]
@@ -59,6 +60,8 @@ class MemoryRun:
         self.setup = plane_record(problem, meta) if flat else setup_record(problem, meta)
         self.summary: dict[str, Any] = {"status": outcome.status, "cycles": solver.cycle, "time": solver.time, **solver.errors(),
                                         **solver.counts(), **solver.results(), **steady_numbers(self.problem)}
+        self.warnings = [event["text"] for event in self._events if event["kind"] == "warning"]
+        self.warnings += final_warnings(self.problem, solver, warned)
         self._tables: dict[str, Mapping] = {"events": {name: [event[name] for event in self._events] for name in
                                                        ("kind", "text", "time", "numbers")}, "snapshots": snapshots}
 

@@ -1,7 +1,8 @@
 """What a case of a sweep answers: a deck with some keys changed and run in memory, or an impedance match.
 
 A question is made once per process from plain data (`record`), and answers any number of changes. An answer is a dictionary that JSON
-holds: `key` (of what was asked, with every default written out, and of the program that answered), and `numbers` or a `reason`.
+holds: `key` (of what was asked, with every default written out, and of the program that answered), and `numbers` or a `reason`; beside
+numbers the `warnings`, if there are any.
 """
 
 import contextlib
@@ -19,7 +20,7 @@ from hugoniot.errors import DeckError, HugoniotError
 from hugoniot.output.origin import program
 from hugoniot.simulate import make_solver, run
 
-FORMAT = 2           # of the numbers: a change of what they mean asks every case again
+FORMAT = 3           # of the numbers: a change of what they mean asks every case again
 POINTS = 400         # of a record that is kept of each case
 _DIGITS = 32
 MATCHED = {"pressure": "Pa", "particle_velocity": "m/s", "shock_velocity": "m/s", "density": "kg/m^3", "specific_internal_energy": "J/kg"}
@@ -138,19 +139,22 @@ class Deck(Asked):
     def _ran(self, deck, key: str) -> dict:
         from hugoniot.campaign.memory_run import MemoryRun
         from hugoniot.campaign.numbers import numbers_of
+        from hugoniot.output.run_numbers import warnings_of
 
         popped = {f"pop plot {k}.distance": self._popped(deck.problem, pop) for k, pop in enumerate(self.pops, 1)}
         if not self.run:
             return {"numbers": {}, "records": popped}
         if self.runs is None:
-            found: Any = MemoryRun(deck.problem)
+            found: Any = MemoryRun(deck.problem, deck.warnings)
+            warned = [*deck.warnings, *found.warnings]
         else:
             folder = pathlib.Path(self.runs) / key
             if folder.is_dir() and not (folder / "summary.json").is_file():
                 shutil.rmtree(folder)     # what a killed worker began; its name is ours alone
             found = run(deck, folder, report=False, overwrite=True)
+            warned = warnings_of(found)
         records = {**(self._kept(found) if self.records else {}), **popped}
-        return {"numbers": numbers_of(found), **({"records": records} if records else {})}
+        return {"numbers": numbers_of(found), **({"records": records} if records else {}), **_warned(warned)}
 
     @staticmethod
     def _popped(problem, pop) -> list[float]:
@@ -192,7 +196,7 @@ class Match(Asked):
         from hugoniot.materials.tables import law_table
 
         asked = {"match": [law_table(EOS, layer.eos) for layer in layers], "velocity": velocity}
-        return json.dumps(asked, sort_keys=True, default=repr), lambda key: {"numbers": _matched(layers, velocity)}
+        return json.dumps(asked, sort_keys=True, default=repr), lambda key: _matched(layers, velocity)
 
     def _read(self, changes: Mapping[str, Any]) -> tuple[list, float]:
         from hugoniot.units import UnitError, parse
@@ -232,14 +236,22 @@ class Match(Asked):
         return material
 
 
-def _matched(layers: Sequence, velocity: float) -> dict[str, float]:
-    from hugoniot.theory.impedance import match
+def _warned(texts: Sequence[str]) -> dict[str, list[str]]:
+    """The warnings of an answer, each once."""
+    return {"warnings": list(dict.fromkeys(texts))} if texts else {}
+
+
+def _matched(layers: Sequence, velocity: float) -> dict:
+    from hugoniot.materials.validity import about_shock
+    from hugoniot.theory.impedance import first_jump, match
 
     met = match(layers, velocity)
     rows = [m.right.table() for m in met]
     several = len(rows) > 1
-    return {(f"interface {k}.{name}" if several else name): float(row[name]) for k, row in enumerate(rows, 1)
-            for name in MATCHED if row.get(name) is not None}
+    numbers = {(f"interface {k}.{name}" if several else name): float(row[name]) for k, row in enumerate(rows, 1)
+               for name in MATCHED if row.get(name) is not None}
+    return {"numbers": numbers, **_warned([text for k, layer in enumerate(layers)
+                                           for text in about_shock(layer, first_jump(k, velocity, met))])}
 
 
 _KINDS = {"deck": Deck, "match": Match}

@@ -112,6 +112,7 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
         problem = Problem(plan, free, tuple(targets), clocks, *(limits if clocks else (0.0, 0.0)), wishes.loss, ask)
         fit = _searched(problem, wishes)
         answer = problem.answers([fit.minimum.x])[0]
+        notes += [f"the run with the fitted values: {text}" for text in answer.get("warnings", ())]
         models = tuple(problem.model(fit.minimum.x, t, answer) for t in targets)
         drawn = None
         if wishes.posterior is not None:

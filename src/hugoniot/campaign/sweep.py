@@ -11,6 +11,7 @@ depends on the plan alone, not on how many workers there were, nor on how often 
 import fnmatch
 import os
 import pathlib
+import re
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -32,6 +33,7 @@ from hugoniot.output.seal import sealed_json
 from hugoniot.output.sweep_file import Column, SweepTable, write_cases, write_table
 from hugoniot.problem.arithmetic import Trouble
 
+_NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?")
 JOURNAL, TABLE, CASES, ASKED = "cases.jsonl", "sweep.h5", "cases.csv", "sweep.json"
 
 
@@ -155,10 +157,11 @@ def _why(answer: dict) -> str:
 def _table(plan: Plan, journal: Journal, keys: list[str], reasons: dict[int, str], outputs: Sequence[str]) -> SweepTable:
     answered = [case for case, key in enumerate(keys) if key]
     why, columns, records = ["" for _ in keys], {}, {}
+    warned: list[Sequence[str]] = [() for _ in keys]
     for case, reason in reasons.items():
         why[case] = reason
     for case, answer in zip(answered, journal.answers([keys[case] for case in answered])):
-        why[case] = answer.get("reason", "")
+        why[case], warned[case] = answer.get("reason", ""), answer.get("warnings", ())
         for name, value in answer.get("numbers", {}).items():
             if not outputs or any(fnmatch.fnmatchcase(name, pattern) for pattern in outputs):
                 _column(columns, name, len(keys))[case] = value
@@ -173,7 +176,18 @@ def _table(plan: Plan, journal: Journal, keys: list[str], reasons: dict[int, str
         parameters, tuple(Column(name, unit_of_result(name), values) for name, values in columns.items()), tuple(why),
         plan.design.shape if grid else (), _steps(plan) if grid else (),
         tuple(Column(name, describe(name.rpartition(".")[2])[0], values) for name, values in records.items()), times,
-        {"design": plan.design.kind, "seed": plan.design.seed, "parameters": "\n".join(column.name for column in parameters)})
+        {"design": plan.design.kind, "seed": plan.design.seed, "parameters": "\n".join(column.name for column in parameters),
+         "warnings": "\n".join(grouped(warned))})
+
+
+def grouped(warned: Sequence[Sequence[str]]) -> list[str]:
+    """The warnings of all cases, those that differ in their numbers alone as one, with the number of cases and the words of the first."""
+    found: dict[str, list[str]] = {}
+    for texts in warned:
+        for kind, text in {_NUMBER.sub("#", text): text for text in texts}.items():
+            found.setdefault(kind, []).append(text)
+    return [texts[0] if len(texts) == len(warned) and len(set(texts)) == 1 else
+            f"in {len(texts)} of {len(warned)} cases{', such as' if len(set(texts)) > 1 else ''}: {texts[0]}" for texts in found.values()]
 
 
 def _column(columns: dict[str, np.ndarray], name: str, *shape: int) -> np.ndarray:

@@ -110,9 +110,9 @@ def _tell_dashboard(address: str) -> None:
 def _record(swept) -> dict:
     table = swept.table
     columns = (*table.parameters, *table.results)
-    return {"folder": str(swept.folder), "cases": len(table), "failed": sum(map(bool, table.reasons)),
-            "units": {c.name: c.unit for c in columns}, "rows": [{**{c.name: c.values[k] for c in columns}, "reason": table.reasons[k]}
-                                                                 for k in range(len(table))]}
+    rows = [{**{c.name: c.values[k] for c in columns}, "reason": table.reasons[k]} for k in range(len(table))]
+    return {"folder": str(swept.folder), "cases": len(table), "failed": sum(map(bool, table.reasons)), "warnings": table.warnings,
+            "units": {c.name: c.unit for c in columns}, "rows": rows}
 
 
 def _echo(swept) -> None:
@@ -132,6 +132,8 @@ def _echo(swept) -> None:
     typer.echo(f"\n{count} in {duration(swept.seconds)}{known}" + (f"; {failed} failed" if failed else ""))
     _echo_analysis(swept)
     _echo_constants(swept.constants)
+    for text in table.warnings:
+        typer.echo(f"warning: {text}", err=True)
     typer.echo(f"table in {swept.folder / 'cases.csv'} and sweep.h5" + (f", report: {page}" if page.is_file() else ""))
 
 

@@ -22,6 +22,7 @@ from hugoniot.laws.eos.contract import (
     reference_state,
 )
 from hugoniot.materials.material import Material
+from hugoniot.materials.plausible import unlikely
 from hugoniot.units import format_si
 
 IONISED = 15e3       # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
@@ -29,6 +30,8 @@ COMPRESSED = 4.0     # times the density at rest
 HIGHEST = 10e12      # Pa
 LIGHTEST = 600.0     # kg/m3: lighter solids are foams, which are crushed to more than four times their density, and lithium
 LEAST = 1e-6         # of the closing velocity: the smallest part that one of two bodies takes
+SHOCKS_ONLY = ("this law gives the pressure of the shock that would produce the energy, whatever the density: releases, isentropes and "
+               "second shocks computed with it are meaningless, and it has no Grüneisen parameter")
 _NEWTON = 40
 _STEPS = 80
 _DENSEST = 1e3       # times the density at rest: as far as a law without a limit is looked at
@@ -63,6 +66,19 @@ def beyond(end: Range) -> str:
 def rounded(up: float) -> str:
     """A particle velocity in words, to three digits."""
     return format_si(float(f"{up:.3g}"), "m/s")
+
+
+def about_shock(material: Material, jump: float = 0.0) -> list[str]:
+    """What must be said with an answer about a material: where a shock that changes the particle velocity by `jump` (m/s) extrapolates its
+    data, what its law cannot describe, unlikely constants, its own warnings."""
+    limit, found = material.valid_up_to, []
+    if limit and jump > limit * (1.0 + 1e-9):
+        found.append(f"the data of {material.name} end at up = {limit:.6g} m/s, but the shock has up = {jump:.6g} m/s: extrapolated")
+    elif limit is None and jump > 0.0 and not flagged(material.eos, "gas"):
+        found.append(f"the range of the data of {material.name} is not known: up = {jump:.6g} m/s may lie beyond it")
+    if flagged(material.eos, "shocks_only"):
+        found.append(SHOCKS_ONLY)
+    return [*found, *unlikely(material.name, material), *material.warnings]
 
 
 def _ends(par) -> list[tuple[float, str]]:

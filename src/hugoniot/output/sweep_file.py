@@ -38,7 +38,7 @@ class SweepTable:
     results      columns of all cases, not-a-number where a case has none
     reasons      why a case has no numbers, "" where it has
     records      name -> (ncase, ntime); `times` (ntime,) s
-    attributes   words about the sweep
+    attributes   words about the sweep; "warnings" of its cases, one a line
     """
 
     parameters: tuple[Column, ...]
@@ -52,6 +52,11 @@ class SweepTable:
 
     def __len__(self) -> int:
         return len(self.reasons)
+
+    @property
+    def warnings(self) -> list[str]:
+        """What must be said of the cases."""
+        return [line for line in str(self.attributes.get("warnings", "")).split("\n") if line]
 
     def column(self, name: str) -> Column:
         """A parameter or result by name; KeyError names what there is."""

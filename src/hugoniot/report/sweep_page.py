@@ -39,6 +39,7 @@ def page(swept: SweepTable, title: str, asked: str, version: str, sensitivity=No
         '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">',
         f"<title>{text(title)}</title><style>{css}</style></head><body><main><h1>{text(title)}</h1>",
         f"<p class=quiet>hugoniot {text(version)}</p><pre>{text(asked)}</pre>", numbers,
+        *(f'<p class="warning">{text(words)}</p>' for words in swept.warnings),
         _sensitivities(swept, sensitivity or {}),
         f"<section><h2>Results</h2>{pictures}</section>" if pictures else "",
         _constants(constants),

@@ -77,6 +77,11 @@ def match(layers: Sequence, velocity: float, *, initial: Sequence[States] | None
     return met
 
 
+def first_jump(layer: int, velocity: float, met: Sequence[Match]) -> float:
+    """The change of the particle velocity (m/s) in the first shock that passes through a layer, 0 for the flyer of that velocity (m/s)."""
+    return velocity - met[0].left.particle_velocity if layer == 0 else met[layer - 1].right.particle_velocity
+
+
 def ring_up(layers: Sequence, velocity: float, *, layer: int = 1, bounces: int = 10) -> list[Match]:
     """The states of one layer as the wave reverberates between its neighbours, which are taken as semi-infinite.
 

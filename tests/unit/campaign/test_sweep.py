@@ -10,13 +10,16 @@ import shutil
 import numpy as np
 import pytest
 from faults import flip
+from typer.testing import CliRunner
 
 import hugoniot
 from hugoniot.campaign.ask import Wishes, run_sweep
 from hugoniot.campaign.numbers import numbers_of, unit_of
 from hugoniot.campaign.sweep import CASES, JOURNAL, TABLE
+from hugoniot.cli.main import build_app
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.explorer import tables
+from hugoniot.output.run_numbers import warnings_of
 from hugoniot.output.sweep_file import open_sweep
 from hugoniot.output.verify import verify
 from hugoniot.problem import catalogue
@@ -318,3 +321,16 @@ def test_the_command_shows_the_table_and_draws_it(deck, tmp_path, inline, monkey
     with pytest.raises(SystemExit) as end:
         main(["sweep", str(deck), "--vary", "region.flyer.velocity = 500..700 : 1000000000"])
     assert end.value.code == 2 and "1 000 000 000 cases are too many" in capsys.readouterr().err
+
+
+def test_warnings_of_the_cases_are_those_of_the_commands_for_one(deck, tmp_path, inline):
+    """Of a match beyond the data of copper, and of a run whose spall plane lies in few zones; equal ones once, with the number of cases."""
+    wishes = Wishes(match=["copper", "aluminum"], vary=["velocity = 1, 9, 10 km/s"])
+    found = run_sweep(None, wishes, tmp_path / "m", engine=inline).table.warnings
+    alone = CliRunner().invoke(build_app("eos"), ["eos", "match", "copper", "aluminum", "--velocity", "9 km/s", "--json"])
+    assert found == [f"in 2 of 3 cases, such as: {text}" for text in json.loads(alone.stdout)["warnings"]] and len(found) == 2
+    swept = run_sweep(deck, Wishes(vary=["region.flyer.velocity = 700, 710 m/s"]), tmp_path / "s", engine=inline)
+    run = hugoniot.run(deck, out=tmp_path / "run", report=False)
+    assert len(warnings_of(run)) == len(swept.table.warnings) > 0
+    assert "spall planes" in swept.table.warnings[0] and "spall planes" in (tmp_path / "s" / "report.html").read_text()
+    assert "spall planes" in open_sweep(tmp_path / "s" / "sweep.h5").attrs["warnings"]

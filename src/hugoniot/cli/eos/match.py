@@ -8,7 +8,7 @@ from hugoniot.cli.eos.splits import jump_notes
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, HugoniotError, NoSolution, OutOfRange
 from hugoniot.laws.eos.contract import EOS, reference_state
-from hugoniot.theory.impedance import Match, match
+from hugoniot.theory.impedance import Match, first_jump, match
 from hugoniot.theory.impedance import ring_up as ringing
 
 LIBRARY = "library"     # as an error: the covariance of the library's own fits
@@ -128,13 +128,8 @@ def _event(event, names: list[str]) -> dict:
 
 def _told(subjects: list[Subject], velocity: float, met: list[Match]) -> list[str]:
     """The notes about every layer, each once."""
-    jumps = [_first_jump(i, velocity, met) for i in range(len(subjects))]
+    jumps = [first_jump(i, velocity, met) for i in range(len(subjects))]
     return list(dict.fromkeys(text for s, jump in zip(subjects, jumps) for text in (*jump_notes(s.material, jump), *notes(s, jump))))
-
-
-def _first_jump(layer: int, velocity: float, met: list[Match]) -> float:
-    """The particle velocity jump of the first shock in a layer, m/s."""
-    return velocity - met[0].left.particle_velocity if layer == 0 else met[layer - 1].right.particle_velocity
 
 
 def _row(m: Match, names: list[str], spread) -> dict:

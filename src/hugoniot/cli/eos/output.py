@@ -11,8 +11,7 @@ import typer
 
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import FileTrouble
-from hugoniot.laws.eos.contract import flagged
-from hugoniot.materials.plausible import unlikely
+from hugoniot.materials.validity import about_shock
 from hugoniot.theory.states import UNITS, States
 from hugoniot.units import format_si
 
@@ -31,8 +30,6 @@ SHOWN = {"pressure": ("GPa", 1e-9, "10.5g"), "density": ("kg/m3", 1.0, "9.2f"), 
 SHOWN |= dict.fromkeys(("principal_pressure", "principal_series", "second_pressure", "second_series", "difference", "leading_difference",
                         "stress", "truncated_pressure", "adjusted_pressure", "rayleigh_pressure", "fanno_pressure",
                         "hugoniot_pressure"), ("GPa", 1e-9, "10.6g"))
-SHOCKS_ONLY = ("this law gives the pressure of the shock that would produce the energy, whatever the density: releases, isentropes and "
-               "second shocks computed with it are meaningless, and it has no Grüneisen parameter")
 WORDS = {"specific_internal_energy": "internal energy", "gruneisen": "Grüneisen parameter",
          "adjusted_gruneisen": "adjusted Grüneisen parameter"}
 
@@ -104,16 +101,8 @@ def cell(name: str, value, unit: bool = True) -> str:
 
 
 def notes(subject, jump: float = 0.0) -> list[str]:
-    """What must be said with an answer about a material: the extrapolation of a shock of that particle velocity jump (m/s), its marks."""
-    limit, found = subject.material.valid_up_to, []
-    if limit and jump > limit * (1.0 + 1e-9):
-        found.append(f"the data of {subject.material.name} end at up = {limit:.6g} m/s, but the shock has up = {jump:.6g} m/s: "
-                     "extrapolated")
-    elif limit is None and jump > 0.0 and not flagged(subject.material.eos, "gas"):
-        found.append(f"the range of the data of {subject.material.name} is not known: up = {jump:.6g} m/s may lie beyond it")
-    if flagged(subject.material.eos, "shocks_only"):
-        found.append(SHOCKS_ONLY)
-    return [*found, *unlikely(subject.material.name, subject.material), *subject.material.warnings]
+    """`materials.ranges.about_shock` of the material of a command."""
+    return about_shock(subject.material, jump)
 
 
 def echo_notes(found: Sequence[str]) -> None:
