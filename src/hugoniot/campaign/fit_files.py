@@ -110,7 +110,7 @@ def _write_posterior(folder: pathlib.Path, found) -> None:
     heads = [f"{which} {q:g} quantile" for which in ("prior", "posterior") for q in (0.025, 0.5, 0.975)]
     rows = ([t.label, *(repr(float(v)) for v in (t.time[k], t.values[k], *prior[:, k], *after[:, k]))]
             for t, prior, after in zip(found.targets, p.prior, p.predicted) for k in range(len(t.values)))
-    _write_rows(folder / "predictive.csv", ["target", "time [s]", "data", *heads], rows)
+    _write_rows(folder / "predictive.csv", ["target", "time [s] or input pressure [Pa]", "data", *heads], rows)
 
 
 def _write_rows(path: pathlib.Path, heads: Sequence[str], rows: Iterable[list]) -> None:

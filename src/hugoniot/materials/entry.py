@@ -188,7 +188,7 @@ class _Reader:
                                f"hugoniot material show {tabulated.split('.')[0]} lists the values of the row")
         elif tabulated:
             row = schema.row(tabulated.split(".")[0])
-            self.use(row)
+            self.use(row, "heat_capacity")
             scales = [s.value for n in ("gamma0", "c0") for s in self.sources if s.quantity == f"{place}.{n}"]
             heat = cards.specific_heat(row, *scales) if len(scales) == 2 and None not in scales else row.constant("heat_capacity")
             found["specific_heat"] = self.value(f"{place}.specific_heat", heat, "J/kg/K")
@@ -212,10 +212,10 @@ class _Reader:
         self.use(row)
         return found
 
-    def use(self, row: schema.Row) -> None:
-        """Remember that constants of a row are used, and what must be seen wherever it is."""
+    def use(self, row: schema.Row, constant: str = "") -> None:
+        """Remember that a row is used, or one constant of it alone, and what must be seen wherever it is."""
         self.rows.append(row.id)
-        self.marks += marks(row)
+        self.marks += marks(row, constant)
 
     def value(self, quantity: str, value: Any, unit: str) -> Any:
         """Resolve one value, remembering its source under the name `quantity`."""
@@ -234,7 +234,8 @@ class _Reader:
                 self.collector.add(path, f"the library's value '{value}' is in {found.unit}, not in {unit}")
                 return value
             if found is not None:
-                self.use(schema.row(value.split(".")[0]))
+                row, _, constant = value.partition(".")
+                self.use(schema.row(row), constant)
                 return self.value(quantity, found, unit)
         if isinstance(value, dict) and "value" in value:
             return self.sourced(quantity, value, unit, path)

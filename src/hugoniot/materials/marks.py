@@ -16,6 +16,9 @@ ENERGY_LIMIT = 0.005  # E0 stated against E0 from the tangency of the principal 
 SCATTER_LIMIT = 0.04  # root mean square of Us of the measured states about a row's line, of its value in the middle of their range
 
 
+LINE = ("c0", "s", "s2", "s3")      # constants of a Us-up fit, to which the states measure it
+
+
 class Closure(NamedTuple):
     """CJ state of a JWL set and its relative misfits (nan where the row states no velocity or pressure)."""
 
@@ -66,10 +69,11 @@ def unreacted_pressure(identity: str) -> float:
     return float(JWLIsentrope(((a, r1), (b, r2)), omega * row[heat] * REST_TEMPERATURE, omega).pressure(1.0))
 
 
-def marks(row: Row) -> tuple[str, ...]:
-    """Sentences to show wherever the row is used; empty for a row without blemish."""
+def marks(row: Row, constant: str = "") -> tuple[str, ...]:
+    """Sentences to show wherever the row is used, or one `constant` of it ("gamma0") alone; empty for a row without blemish."""
     found = list(row.marks)
-    if "states" in row and row["us_deviation"] > SCATTER_LIMIT * (row["c0"] + row["s"] * 0.5 * (row["up_min"] + row["up_max"])):
+    of_line = constant in ("", *LINE) and "states" in row
+    if of_line and row["us_deviation"] > SCATTER_LIMIT * (row["c0"] + row["s"] * 0.5 * (row["up_min"] + row["up_max"])):
         found.append(f"{row.title} misses the measured states: its shock velocities deviate by {row['us_deviation']:.0f} m/s "
                      f"(root mean square) from the {row['states']:g} states that the library compares it with (particle "
                      f"velocities from {row['up_min']:g} to {row['up_max']:g} m/s)")

@@ -48,6 +48,12 @@ def test_the_source_of_a_range_is_the_states_not_the_line():
     assert not any("misses" in m for i in ("U016", "U031", "U205") for m in marks.marks(schema.row(i)))
 
 
+def test_a_material_is_not_blamed_for_a_fit_that_it_does_not_use():
+    """Iron takes only the Grüneisen parameter of U165 and the heat capacity of U094, water only a heat capacity from U110."""
+    for name, fit in (("iron", "U094"), ("water", "U110")):
+        assert any("misses" in w for w in library.find(fit).warnings) and not any("misses" in w for w in library.find(name).warnings)
+
+
 def test_a_curated_material_has_the_range_of_its_row():
     for name in library.names():
         entry = library.entry(name)
