@@ -152,7 +152,7 @@ def quantiles(result: Column, cases: int) -> Quantiles:
     values = values[np.isfinite(values)]
     if not values.size:
         return Quantiles(result.name, np.nan, np.nan, (np.nan,) * len(QUANTILES), 0)
-    return Quantiles(result.name, float(values.mean()), float(values.std(ddof=1)) if values.size > 1 else 0.0,
+    return Quantiles(result.name, float(values.mean()), float(values.std(ddof=1)) if values.size > 1 else np.nan,
                      tuple(float(q) for q in np.quantile(values, QUANTILES)), int(values.size))
 
 

@@ -1,6 +1,7 @@
 """hugoniot sweep: a deck many times, with some of its keys varied."""
 
 import time
+from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated
 
@@ -108,11 +109,17 @@ def _tell_dashboard(address: str) -> None:
 
 
 def _record(swept) -> dict:
+    from hugoniot.campaign.sensitivity import QUANTILES
+
     table = swept.table
     columns = (*table.parameters, *table.results)
     rows = [{**{c.name: c.values[k] for c in columns}, "reason": table.reasons[k]} for k in range(len(table))]
+    found, told = swept.analysis, {}
+    if found is not None:
+        told = {"sensitivity": [asdict(row) for each in found.sensitivity.values() for row in each],
+                "spread": [{**asdict(row), "quantiles": dict(zip(map(str, QUANTILES), row.quantiles))} for row in found.spread.values()]}
     return {"folder": str(swept.folder), "cases": len(table), "failed": sum(map(bool, table.reasons)), "warnings": table.warnings,
-            "units": {c.name: c.unit for c in columns}, "rows": rows}
+            "units": {c.name: c.unit for c in columns}, **told, "rows": rows}
 
 
 def _echo(swept) -> None:

@@ -16,7 +16,7 @@ import hugoniot
 from hugoniot.campaign.ask import Wishes, run_sweep
 from hugoniot.campaign.numbers import numbers_of, unit_of
 from hugoniot.campaign.sweep import CASES, JOURNAL, TABLE
-from hugoniot.cli.main import build_app
+from hugoniot.cli.main import build_app, main
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.explorer import tables
 from hugoniot.output.run_numbers import warnings_of
@@ -334,3 +334,17 @@ def test_warnings_of_the_cases_are_those_of_the_commands_for_one(deck, tmp_path,
     assert len(warnings_of(run)) == len(swept.table.warnings) > 0
     assert "spall planes" in swept.table.warnings[0] and "spall planes" in (tmp_path / "s" / "report.html").read_text()
     assert "spall planes" in open_sweep(tmp_path / "s" / "sweep.h5").attrs["warnings"]
+
+
+def test_the_command_prints_sensitivities_and_spreads_as_json_too(capsys, tmp_path):
+    """Of the match of copper on itself: half the velocity, so that the velocity is all that matters; one case has no deviation."""
+    for design, samples in (("saltelli", 16), ("lhs", 1)):
+        with pytest.raises(SystemExit):
+            main(["sweep", "--match", "copper,copper", "--vary", "velocity = 1..2 km/s", "--vary", "material.copper.eos.gamma0 = 1.9..2.1",
+                  "--design", design, "--samples", str(samples), "--output", "particle_velocity", "-o", str(tmp_path / design), "-w", "1", "--json"])
+        told = json.loads(capsys.readouterr().out)
+        spread, first = told["spread"][0], next(iter(told["sensitivity"]), None)
+        if design == "lhs":
+            assert spread["count"] == 1 and spread["deviation"] is None and first is None
+        else:
+            assert first["parameter"] == "velocity" and first["first"] > 0.5 and spread["mean"] == pytest.approx(750.0, abs=20.0)
