@@ -69,6 +69,13 @@ def test_an_isentrope_beyond_the_densities_of_the_data_is_reported():
         assert (max(found["density"]) > end) == beyond == any("extrapolated" in word for word in found["warnings"])
 
 
+def test_a_riemann_problem_states_where_it_starts():
+    """A pressure alone leaves the density at the reference: air at 1 MPa and 1.18 kg/m3 has T = 298.15 K (1 MPa)/(1 atm)."""
+    found = answer("riemann", "air", "air", "--left", "pressure = 1 MPa")
+    assert found["left_initial"]["temperature"] == pytest.approx(298.15 * 1e6 / 101325.0, rel=1e-9)
+    assert "2942.5 K" in eos("riemann", "air", "air", "--left", "pressure = 1 MPa").stdout
+
+
 def test_a_match_beyond_a_law_names_the_material_and_a_row_that_reaches_further():
     told = eos("match", "basalt", "basalt", "--velocity", "20 km/s")
     assert told.exit_code == 3

@@ -25,15 +25,20 @@ def report(materials: tuple[str, str], given_states: tuple[str, str], bonded: bo
     jumps = [abs(found.velocity - s.particle_velocity) if w.kind == "shock" else 0.0 for s, w in zip(states, (found.left, found.right))]
     told = list(dict.fromkeys(text for s, start, jump in zip(subjects, states, jumps)
                               for text in (*jump_notes(s.material, jump, Initial.of(start)), *notes(s, jump))))
+    first = {f"{side}_initial": row_of(s.table()) for side, s in zip(("left", "right"), states)}
     waves = {side: {"wave": w.kind, "head": w.head, "tail": w.tail, **row_of(w.behind.table())}
              for side, w in (("left", found.left), ("right", found.right)) if w.behind.density > 0.0}
     if as_csv:
         write_csv(as_csv, [(s.material.name, w.behind.table()) for s, w in zip(subjects, (found.left, found.right))
                            if w.behind.density > 0.0])
     if as_json:
-        echo_json({"pressure": found.pressure, "particle_velocity": found.velocity, "vacuum": found.vacuum, **waves,
+        echo_json({"pressure": found.pressure, "particle_velocity": found.velocity, "vacuum": found.vacuum, **first, **waves,
                    "edges": [{"what": what, "velocity": v} for what, v in found.jumps], "warnings": told})
         return
+    for side, subject, s in zip(("left", "right"), subjects, states):
+        shown = [cell(k, getattr(s, k)) for k in ("pressure", "density", "temperature", "particle_velocity") if getattr(s, k) is not None]
+        what = " (detonation products)" if subject.reacted else ""
+        typer.echo(f"{side}, initial{what}: {', '.join(shown)}")
     contact = f"contact: {cell('pressure', found.pressure)}, {cell('particle_velocity', found.velocity)}"
     typer.echo("a gap opens between the two" if found.vacuum else contact)
     echo_table(["edge", "velocity"], [(what, f"{v:.6g} m/s") for what, v in found.jumps])
