@@ -36,7 +36,8 @@ def report(materials: tuple[str, str], given_states: tuple[str, str], bonded: bo
                    "edges": [{"what": what, "velocity": v} for what, v in found.jumps], "warnings": told})
         return
     for side, subject, s in zip(("left", "right"), subjects, states):
-        shown = [cell(k, getattr(s, k)) for k in ("pressure", "density", "temperature", "particle_velocity") if getattr(s, k) is not None]
+        known = row_of(s.table())
+        shown = [cell(k, known[k]) for k in ("pressure", "density", "temperature", "particle_velocity") if known[k] is not None]
         what = " (detonation products)" if subject.reacted else ""
         typer.echo(f"{side}, initial{what}: {', '.join(shown)}")
     contact = f"contact: {cell('pressure', found.pressure)}, {cell('particle_velocity', found.velocity)}"
