@@ -62,17 +62,19 @@ def uncertain(question: Deck, kind: str) -> tuple[list[Variable], list[Tie], lis
     if not isinstance(question, Deck):
         raise refuse("--uncertain", kind, "an impedance match has no deck", 'vary its constants: --vary "material.copper.eos.c0 = ..."')
     known = known_of(question)
-    variables, ties = [], []
+    varied: dict[str, Variable] = {}
+    ties = []
     for each in known:
-        names = {d.source: _identifier(each.name, d.source) for d in each.found.directions}
-        variables += [Variable(name, "normal", "", 0.0, 1.0) for name in names.values()]
+        # by the name in the library: what a deck calls by two names is one material, whose constants are wrong together
+        names = {d.source: _identifier(each.entry, d.source) for d in each.found.directions}
+        varied |= {name: Variable(name, "normal", "", 0.0, 1.0) for name in names.values()}
         for constant in each.found.deviations:
             terms = [f" + {d.shifts[constant]:.9g} * {names[d.source]}" for d in each.found.directions if constant in d.shifts]
             ties.append(Tie(f"material.{each.name}.{constant}", Expression(f"{each.constants[constant]!r}{''.join(terms)}")))
     if not ties:
         raise refuse("--uncertain", kind, "the library gives no uncertainty for any constant of this deck",
                      'name a material of the library, or give an uncertainty: --vary "material.al.eos.c0 = 5.35 +- 0.05 km/s"')
-    return variables, ties, known
+    return list(varied.values()), ties, known
 
 
 def _identifier(material: str, source: str) -> str:

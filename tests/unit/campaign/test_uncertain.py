@@ -57,6 +57,16 @@ def test_constants_vary_as_their_covariance_says(water, tmp_path, inline):
     assert "Constants of the library" in page and "relative to the median" in page
 
 
+def test_one_material_under_two_names_varies_as_one(water, tmp_path, inline):
+    """Water on water: half the velocity of the flyer behind the shock, whatever the constants are."""
+    text = WATER.replace('"water"', '"left"', 1).replace('"water"', '"right"', 1)
+    water.write_text(text + '[material.left]\nbase = "water"\n[material.right]\nbase = "water"\n')
+    table = run_sweep(water, Wishes(uncertain="library", samples=8), tmp_path / "s", engine=inline, report=False).table
+    left, right = (table.column(f"material.{name}.eos.c0").values for name in ("left", "right"))
+    assert left.std() > 0.0 and np.array_equal(left, right)
+    assert table.column("middle.plateau_velocity").values == pytest.approx(1000.0, rel=5e-3)      # a coarse mesh
+
+
 def test_a_constant_that_is_varied_by_hand_is_not_varied_twice(water, tmp_path, inline):
     wishes = Wishes(vary=["material.water.eos.c0 = 1500 +- 5 m/s"], uncertain="library", samples=8, record=["middle.velocity"])
     table = run_sweep(water, wishes, tmp_path / "s", engine=inline, report=False).table
