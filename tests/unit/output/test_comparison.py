@@ -3,10 +3,13 @@
 import acoustic_flyer
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
+from hugoniot.cli.main import build_app
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.output.compare import compare, read_table
 from hugoniot.output.run import load
+from hugoniot.units import format_si
 
 
 @pytest.fixture(scope="module")
@@ -85,3 +88,12 @@ def test_units_survive_the_reader(tmp_path):
     record = read_table(tmp_path / "d.csv")[0]
     assert (record.gauge, record.field, record.unit) == ("free surface", "velocity", "m/s")
     assert np.allclose(record.time, [0, 1e-3]) and np.allclose(record.values, [0, 2000])
+
+
+def test_the_command_states_the_time_that_was_compared(runs, tmp_path):
+    time, velocity = runs[0].gauge("velocity", "free surface")
+    kept = slice(len(time) // 4, 3 * len(time) // 4)
+    (tmp_path / "part.csv").write_text("time [us], velocity [m/s]\n" + "\n".join(
+        f"{t * 1e6!r},{u + 1.0!r}" for t, u in zip(time[kept].tolist(), velocity[kept].tolist())))
+    told = CliRunner().invoke(build_app("compare"), ["compare", str(runs[0].folder), str(tmp_path / "part.csv")]).stdout
+    assert f"compared from {format_si(float(time[kept][0]), 's', 4)} to {format_si(float(time[kept][-1]), 's', 4)}" in told
