@@ -164,6 +164,8 @@ def test_command_and_python_of_explosives(visit, tmp_path, monkeypatch):
     cell = page.text_content("tr[data-field=pressure] td.number")
     theirs, (point, _) = printed(page.text_content("#command"), "--json"), computed(page)[0]
     assert cell == shown(theirs["chapman_jouguet"]["pressure"] * 1e-9) == shown(float(point["pressure"]) * 1e-9)
+    page = here.go("#/materials?sel=comp_b&plane=us-up")
+    page.wait_for_selector("text=Composition B, unreacted")
     page = here.go("#/materials?sel=comp_b&plane=expansion")
     drawn = page.evaluate("document.querySelector('.chart').chart.spec.series[0].table")
     printed(page.text_content("#command"))

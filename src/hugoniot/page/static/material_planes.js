@@ -12,6 +12,7 @@
   };
   const rayleigh = {"p-up": a => [0, a.pressure * 1e-9], "p-v": a => [1e3 / a.density, a.pressure * 1e-9]};      // where a Rayleigh line starts
   const line = (id, c, colour, table, axes, more) => { const [x, y] = columnsOf[axes](table); return {id, name: c.name, table, x, y, colour, ...more}; };
+  const inert = c => c.products ? `${c.short}, unreacted` : c.short;      // whose shocks the planes of Hugoniots show
 
   function hugoniots(axes) {
     return {axes: AXES[axes], series(c, colour, options) {
@@ -22,9 +23,9 @@
         found.push({kind: "points", id: "measured", outside: true, colour, x: times(m.up, 1e-3), y: axes === "us-up" ? times(m.us, 1e-3) : times(m.p, 1e-9)});
       if (options.sources && (axes === "us-up" || axes === "p-up")) for (const s of c.sources)
         found.push({kind: "line", id: "source", source: s, name: c.name, colour, faint: true, dash: "2 3", hover: false, x: times(s.up, 1e-3), y: axes === "us-up" ? times(s.us, 1e-3) : times(s.p, 1e-9)});
-      if (known < h.particle_velocity.length) found.push(line("beyond", c, colour, part(Math.max(known - 1, 0)), axes, {dash: "5 4", hover: true, label: c.short}));
+      if (known < h.particle_velocity.length) found.push(line("beyond", c, colour, part(Math.max(known - 1, 0)), axes, {dash: "5 4", hover: true, label: inert(c)}));
       for (const s of found) if (s.id === "beyond" && rayleigh[axes]) s.origin = rayleigh[axes](c.ahead);
-      found.push(line("hugoniot", c, colour, part(0, known), axes, {hover: true, origin: rayleigh[axes]?.(c.ahead), label: c.short}));
+      found.push(line("hugoniot", c, colour, part(0, known), axes, {hover: true, origin: rayleigh[axes]?.(c.ahead), label: inert(c)}));
       if (options.releases && axes !== "us-up") for (const r of [...c.releases, ...(c.pinned?.release ? [c.pinned.release] : [])])
         found.push(line("release", c, colour, r, axes, {faint: true, hover: true}));
       return found;
@@ -40,7 +41,7 @@
   }
   const isentropes = {...hugoniots("p-v"), series(c, colour) {
     if (!c.hugoniot) return [];
-    const found = [line("hugoniot", c, colour, c.hugoniot, "p-v", {hover: true, label: c.short})];
+    const found = [line("hugoniot", c, colour, c.hugoniot, "p-v", {hover: true, label: inert(c)})];
     if (c.isentrope) found.push(line("isentrope", c, colour, c.isentrope, "p-v", {hover: true, dash: "6 3", width: 1.3}));
     for (const r of [...c.releases, ...(c.pinned?.release ? [c.pinned.release] : [])]) found.push(line("release", c, colour, r, "p-v", {hover: true, faint: true}));
     return found;
