@@ -69,17 +69,23 @@ def worth_drawing(table: SweepTable, most: int = MOST_PANELS) -> list[Column]:
 
 
 def kind_of(table: SweepTable) -> str:
-    """"map" for a grid of two parameters with numbers, "line" for one parameter, else "points"."""
+    """"map" for a grid of two parameters with numbers, "family" for one with numbers and a few names, "line" for one parameter, else
+    "points"."""
     numeric = [column for column in table.steps if column.values.dtype.kind == "f"]
     if len(table.shape) == 2 and len(numeric) == 2:
         return "map"
+    if len(table.shape) == 2 and len(numeric) == 1 and table.shape[1 - table.steps.index(numeric[0])] <= MOST_LABELS:
+        return "family"
     return "line" if len(table.parameters) == 1 or len(table.shape) == 1 else "points"
 
 
 def draw(ax, table: SweepTable, result: Column, bar=None) -> None:
-    """The picture that fits the design: `draw_map` for two parameters, else `draw_over` the first parameter."""
-    if kind_of(table) == "map":
+    """The picture that fits the design: `draw_map` or `draw_family` for two parameters, else `draw_over` the first parameter."""
+    kind = kind_of(table)
+    if kind == "map":
         draw_map(ax, table, result, bar)
+    elif kind == "family":
+        draw_family(ax, table, result)
     else:
         draw_over(ax, table, result, (table.steps or table.parameters)[0].name)
 
@@ -99,6 +105,23 @@ def draw_over(ax, table: SweepTable, result: Column, parameter: str) -> None:
         ax.plot([names.index(name) for name in along.values], result.values * fy, "o", color=COLOURS[0], markersize=3.5)
         ax.set_xticks(range(len(names)), names)
         ax.set_xlabel(words_of(along.name))
+    ax.set_ylabel(axis_label(result))
+    quiet_grid(ax)
+
+
+def draw_family(ax, table: SweepTable, result: Column) -> None:
+    """A result over the parameter of a grid that has numbers, a line for each name of the other, with the name at its end."""
+    along = next(column for column in table.steps if column.values.dtype.kind == "f")
+    place = table.steps.index(along)
+    names, values = table.steps[1 - place].values, np.moveaxis(result.values.reshape(table.shape), place, 1) * scale(result)[1]
+    x, colours, ends = along.values * scale(along)[1], [COLOURS[k % len(COLOURS)] for k in range(len(names))], []
+    order = np.argsort(x, kind="stable")
+    for row, colour in zip(values[:, order], colours):
+        ax.plot(x[order], row, "o-", color=colour, markersize=3.5, linewidth=1.1)
+        ends.append(next((v for v in row[::-1] if math.isfinite(v)), math.nan))
+    known = [k for k, end in enumerate(ends) if math.isfinite(end)]
+    label_lines(ax, [str(names[k]) for k in known], [ends[k] for k in known], [colours[k] for k in known])
+    ax.set_xlabel(axis_label(along))
     ax.set_ylabel(axis_label(result))
     quiet_grid(ax)
 

@@ -64,13 +64,13 @@ def _sensitivities(swept: SweepTable, sensitivity) -> str:
 
 
 def _pictures(swept: SweepTable) -> list[tuple[str, str]]:
-    flat = kind_of(swept) == "map"
+    kind = kind_of(swept)
     found = []
     for k, record in enumerate(swept.records):
         found.append((svg(lambda ax, r=record: draw_records(ax, swept, r), f"record-{k}", 7.4, 3.2, (0.7, 0.5, 6.0, 2.3)),
                       f"Records of {record.name}: " + (_BANDS if banded(swept, record) else "one line for each case") + "."))
     for k, result in enumerate(worth_drawing(swept)):
-        rects = [(0.8, 0.5, 5.2, 2.5), (6.3, 0.5, 0.14, 2.5)] if flat else [(0.9, 0.5, 5.9, 2.4)]
+        rects = {"map": [(0.8, 0.5, 5.2, 2.5), (6.3, 0.5, 0.14, 2.5)], "family": [(0.9, 0.5, 4.6, 2.4)]}.get(kind, [(0.9, 0.5, 5.9, 2.4)])
         picture = svg(lambda ax, bar=None, r=result: draw(ax, swept, r, bar), f"result-{k}", 7.4, 3.2, *rects)
         found.append((picture, _caption(swept, result)))
     return found
@@ -90,9 +90,15 @@ def _spreads(swept: SweepTable) -> list[tuple[str, str]]:
     return found
 
 
+def _named(swept: SweepTable) -> str:
+    """The parameter of a grid that has names, not numbers."""
+    return next((column.name for column in swept.steps if column.values.dtype.kind != "f"), "case")
+
+
 def _caption(swept: SweepTable, result: Column) -> str:
     return {"map": f"{result.name} over both parameters; blank or – where a case has no value.",
-            "line": f"{result.name}.", "points": f"{result.name}, a dot for each case."}[kind_of(swept)]
+            "line": f"{result.name}.", "family": f"{result.name}, a line for each {_named(swept)}.",
+            "points": f"{result.name}, a dot for each case."}[kind_of(swept)]
 
 
 def _constants(rows) -> str:

@@ -7,6 +7,7 @@ import pathlib
 import random
 import shutil
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from faults import flip
@@ -22,6 +23,7 @@ from hugoniot.explorer import tables
 from hugoniot.output.run_numbers import warnings_of
 from hugoniot.output.sweep_file import open_sweep
 from hugoniot.output.verify import verify
+from hugoniot.plotting.sweep import draw
 from hugoniot.problem import catalogue
 
 EXAMPLES = pathlib.Path(__file__).parents[3] / "examples"
@@ -348,3 +350,16 @@ def test_the_command_prints_sensitivities_and_spreads_as_json_too(capsys, tmp_pa
             assert spread["count"] == 1 and spread["deviation"] is None and first is None
         else:
             assert first["parameter"] == "velocity" and first["first"] > 0.5 and spread["mean"] == pytest.approx(750.0, abs=20.0)
+
+
+def test_lines_of_several_materials_are_told_apart(tmp_path, inline):
+    """A grid over speeds and targets: a line for each target, labelled, with the values of its cases."""
+    wishes = Wishes(match=["copper", "aluminum"], vary=["velocity = 1, 2, 3 km/s", 'target = "aluminum", "iron"'])
+    table = run_sweep(None, wishes, tmp_path / "m", engine=inline).table
+    _, ax = plt.subplots()
+    draw(ax, table, table.column("pressure"))
+    expected = table.column("pressure").values.reshape(3, 2).T * 1e-9
+    assert all(line.get_ydata() == pytest.approx(row) for line, row in zip(ax.lines, expected, strict=True))
+    assert {text.get_text() for text in ax.texts} == {"aluminum", "iron"}
+    assert "a line for each target" in (tmp_path / "m" / "report.html").read_text()
+    plt.close("all")
