@@ -95,7 +95,8 @@ def command(
             raise typer.Exit(130) from None
     if plot is not None:
         from hugoniot.plotting.eos import save
-        from hugoniot.plotting.sweep import sensitivity_figure, sweep_figure, uncertainty_figure
+        from hugoniot.plotting.sensitivity import sensitivity_figure
+        from hugoniot.plotting.sweep import sweep_figure, uncertainty_figure
 
         sensitive = swept.analysis.sensitivity if swept.analysis else {}
         banded = swept.constants and swept.table.records and swept.analysis and swept.analysis.bands

@@ -7,13 +7,13 @@ from hugoniot.output.atomic import write_whole
 from hugoniot.output.seal import sealed
 from hugoniot.output.sweep_file import Column, SweepTable, together
 from hugoniot.plotting.inline import svg
+from hugoniot.plotting.sensitivity import draw_sensitivity
 from hugoniot.plotting.sweep import (
     LEAST_FOR_BANDS,
     banded,
     draw,
     draw_bands,
     draw_records,
-    draw_sensitivity,
     draw_spread,
     kind_of,
     worth_drawing,

@@ -12,7 +12,8 @@ from hugoniot.campaign.sensitivity import LEVELS, Index, bands
 from hugoniot.campaign.variables import read_variable
 from hugoniot.errors import DeckError
 from hugoniot.output.sweep_file import Column, SweepTable
-from hugoniot.plotting.sweep import draw_indices, draw_records
+from hugoniot.plotting.sensitivity import draw_indices
+from hugoniot.plotting.sweep import draw_records
 
 # three keys of the deck stand for the three unknowns of a function
 KEYS = ("region.flyer.velocity", "region.flyer.density", "stop_time")

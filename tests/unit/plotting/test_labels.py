@@ -13,8 +13,9 @@ from hugoniot.materials import library
 from hugoniot.output.sweep_file import Column, SweepTable
 from hugoniot.plotting.initiation import pop_picture
 from hugoniot.plotting.matches import impedance_match
+from hugoniot.plotting.sensitivity import draw_effects
 from hugoniot.plotting.style import new_axes
-from hugoniot.plotting.sweep import draw_effects, uncertainty_figure
+from hugoniot.plotting.sweep import uncertainty_figure
 from hugoniot.theory.impedance import match
 
 WINDOW, READABLE = 420, 6.5     # pixels: width of the window, height of a line of text in it
