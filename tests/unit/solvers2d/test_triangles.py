@@ -210,7 +210,7 @@ def test_a_charge_of_triangles_burns_at_its_velocity():
     block = box(4, 40, 0.01, 0.05, material="hx")
     given = problem(block, gamma_products(), 5e-6, sides, viscosity=Viscosity2D(), **TRIANGLES, diagonal="crossed")
     solver = ran(dataclasses.replace(given, lighting=(Lighting2D((0.0, 0.0), 0.0, (0.01, 0.0)),)))
-    lam, state = solver.burn_fields()["burn_fraction"], solver.state()
+    lam, state = solver.state().zones["burn_fraction"], solver.state()
     height = state.nodes["position_y"][state.zone_nodes].mean(axis=1)
     assert height[lam > 0.5].max() == pytest.approx(SPEED * 5e-6, abs=2.0 * 0.05 / 40)
     assert solver.errors()["energy_error"] < 1e-12

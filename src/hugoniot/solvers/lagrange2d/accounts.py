@@ -21,6 +21,14 @@ def zone_fields(zones) -> dict[str, np.ndarray]:
     return found | {"deviator_zz": -(found["deviator_xx"] + found["deviator_yy"]), "mass": zones[Z.mass]}
 
 
+def fields_of_laws(solver) -> dict[str, np.ndarray]:
+    """Void fraction where zones open; burn fraction where something burns and, in thermal isolation, the code of the reference state."""
+    voids = {"void_fraction": solver.zones[Z.voids] * solver.zones[Z.rho]} if solver.opens_voids else {}
+    lit = {"burn_fraction": solver.charge[B.lam].copy()} if solver.burning else {}
+    isolated = solver.burning and any(reactive.isolated(solver.problem))
+    return voids | lit | ({"reference_state": solver.charge[B.reference].copy()} if isolated else {})
+
+
 def largest_speed(problem, zones, nodes) -> float:
     """Of sound, of nodes and of what is driven at t = 0, m/s."""
     pulses = [b.pulse for b in problem.boundaries if b.kind == "velocity" and b.pulse]

@@ -13,7 +13,6 @@ from hugoniot.laws.fracture.contract import opens_voids
 from hugoniot.problem.plane.contact import may_meet
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.problem.plane.walls import with_walls
-from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange2d import accounts, post_mortem, transmitting
 from hugoniot.solvers.lagrange2d import layout as L
@@ -234,18 +233,12 @@ class Lagrange2D(Shown, NothingToAdd):
 
     def _glimpse(self) -> State2D:
         """The state now, most of it views that the next step changes: copies would make gauges cost nearly as much as a step."""
-        voids = {"void_fraction": self.zones[Z.voids] * self.zones[Z.rho]} if self.opens_voids else {}
-        zones = self.erosion.seen(accounts.zone_fields(self.zones) | voids | (self.burn_fields() if self.burning else {}))
+        zones = self.erosion.seen(accounts.zone_fields(self.zones) | accounts.fields_of_laws(self))
         rows = {"position_x": N.x, "position_y": N.y, "velocity_x": N.u, "velocity_y": N.v}
         numbers = self.numbering.representative
         places = slice(0, len(numbers)) if self.numbering.alone else numbers
         nodes = {name: self.nodes[row, places] for name, row in rows.items()}
         return State2D(self.time, self.cycle, zones, nodes | self.contact.fields(), self.problem.mesh.zone_nodes)
-
-    def burn_fields(self) -> dict[str, np.ndarray]:
-        """Burn fraction and, where reactants are in thermal isolation, the code of their reference state."""
-        codes = {"reference_state": self.charge[B.reference].copy()} if any(reactive.isolated(self.problem)) else {}
-        return {"burn_fraction": self.charge[B.lam].copy()} | codes
 
     def phases(self) -> np.ndarray | None:
         """Burn fraction, density and energy of the reactants and of the products, (5, nzone); None where nothing burns."""
