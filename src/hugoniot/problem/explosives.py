@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from hugoniot.core.ops import NO_LIMIT
 from hugoniot.errors import HugoniotError
 from hugoniot.laws import burn as _burn  # noqa: F401  (enrols the burn laws)
 from hugoniot.laws.burn.contract import BURN, keeps_time
@@ -15,6 +16,7 @@ from hugoniot.units import format_si
 
 TOLERATED = 5e-4   # of a programmed front's speed against the Chapman-Jouguet one: 3 % of pressure (p/p_CJ - 1 is about -sqrt(2 dD/D))
 SAME_DENSITY = 1e-3   # between that of a burn law and that of the region it burns; sets and measured densities differ by less
+CRUSHED = 2.5      # times the starting density: more than products bear that a front burned (CJ 1.4, reflected at a wall 1.8)
 CONVERGING = 1.2      # radii over which a front runs inward
 SAME_HEAT = 0.2       # between a chemical energy that is given and the one the laws hold
 
@@ -147,6 +149,15 @@ def _front_advice(problem: Problem, region) -> str | None:
 def follows_compression(material) -> bool:
     """Whether what is compressed burns ahead of a schedule."""
     return "compression_driven" in BURN.of(material.burn).flags
+
+
+def crushing_density(problem: Problem, name: str) -> float:
+    """Density, kg/m3, to which nothing may press a material that has no pressure before its programmed front lights it; else NO_LIMIT."""
+    material = problem.materials[name]
+    if material.burn is None or not keeps_time(material.burn, burning.has_reactants(material)):
+        return NO_LIMIT
+    starts = [_start(material, region) for region in problem.regions if region.material == name]
+    return CRUSHED * max((start[0] for start in starts if start is not None), default=NO_LIMIT)
 
 
 def with_compression(material, region) -> str:

@@ -96,16 +96,18 @@ def rates_pass(count, z, dt, numbers, law):
         start = stop
 
 
-@zone_pass("lam pace inverse_width status resolution c found")
+@zone_pass("lam rho pace inverse_width status resolution c found")
 def pace_pass(count, z, dt, numbers, law):
-    """Largest signal rate of burning; notes how well burning is resolved, and marks zones whose mixture was not found."""
+    """Largest signal rate of burning; notes how well burning is resolved, and marks zones whose mixture was not found, or that were
+    crushed before they burned: without a pressure until then, they would be pressed to nothing in ever shorter steps."""
     rows_apart()
     constants, quickest = named(Constants, numbers), z.found[FOUND_RATE]
     for j in range(count):
         quickest = fmax(quickest, constants.per_rate * z.pace[j])
         if z.lam[j] > IGNITED and z.pace[j] > 0.0:
             z.resolution[j] = fmin(z.resolution[j], z.c[j] * z.inverse_width[j] / z.pace[j])
-        z.c[j] = z.c[j] if z.status[j] == 0.0 else -1.0
+        sound = (z.status[j] == 0.0) & ((z.rho[j] < constants.crushed) | (z.lam[j] >= 1.0))
+        z.c[j] = z.c[j] if sound else -1.0
     z.found[FOUND_RATE] = quickest
 
 

@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+from hugoniot.core.ops import NO_LIMIT
+
 
 class Constants(NamedTuple):
     """One line of the table of constants.
@@ -12,6 +14,7 @@ class Constants(NamedTuple):
     front       speed of a programmed front, m/s
     isolates    1 where reactants keep an isentrope, and so have a reference state
     freezes     1 where that state is frozen
+    crushed     density to which nothing may be pressed before it burns, kg/m3
     """
 
     rest: float
@@ -20,3 +23,4 @@ class Constants(NamedTuple):
     front: float = 0.0
     isolates: float = 0.0
     freezes: float = 0.0
+    crushed: float = NO_LIMIT

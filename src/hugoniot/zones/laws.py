@@ -88,7 +88,7 @@ class Laws(NamedTuple):
         return grows_voids(self.fracture)
 
 
-def laws_of(eos, strength, fracture, viscosity, noise: float, per_rate: float = 0.0, front: float = 0.0, freezes: float = 0.0) -> Laws:
+def laws_of(eos, strength, fracture, viscosity, **known: float) -> Laws:
     """The laws of a material, `eos` a parameter tuple or a `Reactive` pair; the numbers are fields of `Constants`."""
     burns = isinstance(eos, Reactive)
     if burns and fracture_contract.asked_at_nodes(fracture):
@@ -97,7 +97,7 @@ def laws_of(eos, strength, fracture, viscosity, noise: float, per_rate: float = 
     if burns:
         bind_burning()
     rest = float(reference_state(eos.mixture.products if burns else eos)[0])
-    constants = Constants(rest, noise, per_rate, front, float(burns and mixture.isolates(eos.mixture)), freezes)
+    constants = Constants(rest, isolates=float(burns and mixture.isolates(eos.mixture)), **known)
     return Laws(*map(float_parameters, (eos, strength, fracture, viscosity)), constants)
 
 

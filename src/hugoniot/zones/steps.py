@@ -211,7 +211,7 @@ class MaterialSteps:
         z, b, w = self.at.z, self.at.b, self.at.w
         if self.laws.burns:
             self.do(burn.rates_pass, (b.lam, z.rho, z.p, z.q, *self.phases, w.pace), law=self.laws.eos)
-            self.do(burn.pace_pass, (b.lam, w.pace, inverse_width, b.status, b.resolution, z.c, self.at.found))
+            self.do(burn.pace_pass, (b.lam, z.rho, w.pace, inverse_width, b.status, b.resolution, z.c, self.at.found))
 
     # -- closures of burning material in the middle and at the end of a step ---------------------------------------------------------
     def close_half(self, solid) -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hugoniot.diagnostics import detonation
-from hugoniot.errors import DeckError, OutOfRange
+from hugoniot.errors import DeckError, OutOfRange, UnphysicalState
 from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.burn.programmed import Programmed
 from hugoniot.laws.burn.threshold import Threshold
@@ -17,7 +17,8 @@ from hugoniot.materials import burning, library
 from hugoniot.materials.material import Material
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.problem.explosives import defects, programmed_bodies
-from hugoniot.problem.model import Lighting, Problem, Region
+from hugoniot.problem.model import Lighting, Problem, Region, SolverOptions
+from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import post_mortem, reactive
 from hugoniot.solvers.lagrange1d.layout import B, Z
 
@@ -234,6 +235,17 @@ def test_zones_crushed_before_a_front_lit_them_are_told_with_the_law_to_take():
     cause, remedy = post_mortem.ill_burned(problem, zones, charge, np.zeros(20, int), 3)
     assert "crushed, to 5000 kg/m3, before the programmed front lit them" in cause
     assert 'law = "programmed_beta", rho0 = 1717, rho_cj = 2351' in remedy
+
+
+@pytest.mark.parametrize("integrator", ["compatible", "wilkins"])
+def test_a_plate_that_crushes_an_explosive_before_it_is_lit_ends_the_run(integrator):
+    """Without a pressure, unlit zones were pressed to 2.5e6 kg/m3 in steps of 6e-17 s: the run hung."""
+    regions = (Region("plate", "copper", 0.0, 0.002, 20, velocity=1000.0), Region("charge", "comp_b", 0.002, 0.006, 80))
+    materials = {"copper": dataclasses.replace(library.find("copper"), strength=None, fracture=None), "comp_b": library.find("comp_b")}
+    solver = make_solver(Problem("x", "planar", 5e-6, regions, materials, solver=SolverOptions(integrator=integrator),
+                                 lighting=(Lighting(0.006, 4e-6),)))
+    with pytest.raises(UnphysicalState, match="crushed, .* before the programmed front lit them: what pushes them arrives earlier, such as a plate"):
+        solver.march(3.5e-6, 2000)
 
 
 @pytest.mark.parametrize("deck", ['[material.x]\nbase = "comp_b"\nburn = "none"', '[material.x]\nbase = "LX-17 reactive"\nburn = "none"',

@@ -19,6 +19,7 @@ from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.mesh.line import GEOMETRY, graded_nodes, volume
+from hugoniot.problem.explosives import crushing_density
 from hugoniot.problem.model import Boundary, Problem, Pulse
 from hugoniot.problem.profiles import values_at
 from hugoniot.solvers.lagrange1d import layout as L
@@ -58,7 +59,9 @@ def laws_of_regions(problem: Problem, starts) -> tuple[list[Laws], list[int]]:
             continue
         burns = material.burn is not None
         # what has not begun to burn may have no sound at all
-        own = {"noise": noise + 1.0, **reactive.constants(problem, region)} if burns else {"noise": noise}
+        own = {"noise": noise}
+        if burns:
+            own = {"noise": noise + 1.0, "crushed": crushing_density(problem, region.material), **reactive.constants(problem, region)}
         found[region.material] = laws_of(burning.reactive(material) if burns else material.eos,
                                          material.strength or STRENGTH.get("none").example,
                                          material.fracture or FRACTURE.get("none").example, viscosity_in(material, viscosity), **own)

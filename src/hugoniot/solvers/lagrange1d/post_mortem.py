@@ -5,14 +5,13 @@ import numpy as np
 from hugoniot.errors import UnphysicalState
 from hugoniot.laws.eos.contract import EOS, density_limits, pressure, reference_state
 from hugoniot.materials import burning
-from hugoniot.problem.explosives import follows_compression, front_speed, with_compression
+from hugoniot.problem.explosives import CRUSHED, follows_compression, front_speed, with_compression
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.units import format_si
 from hugoniot.zones.soundness import first_unsound
 
 NEAR = 8              # zones around a bad one in which its cause is looked for
-CRUSHED = 2.5         # times the density of rest: more than products bear that a front burned (CJ 1.4, reflected at a wall 1.8)
 DENSE = 1e9           # times the density of rest: compressed to nothing
 
 
@@ -83,8 +82,8 @@ def overrun(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
     densest = float(np.max(zones[Z.peak_density, near]))
     if not densest > CRUSHED * float(region.density or reference_state(material.eos)[0]):
         return None
-    return (f"zones were crushed, to {densest:.4g} kg/m3, before the programmed front lit them: the explosive behind drives a faster front "
-            "than the burn law allows, as in converging geometry.",
+    return (f"zones were crushed, to {densest:.4g} kg/m3, before the programmed front lit them: what pushes them arrives earlier, such as a "
+            "plate, or burned explosive that drives a faster front than the burn law allows (as in converging geometry).",
             f"allow compression to burn a zone ahead of its schedule: {with_compression(material, region)}; or use a rate law.")
 
 
