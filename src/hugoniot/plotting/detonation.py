@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from hugoniot.errors import HugoniotError
+from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.plotting.style import COLOURS, INK, QUIET, label_lines, length_scale, new_panels, quiet_grid, styled
 from hugoniot.theory.hugoniot import Initial, curve, shock
 from hugoniot.theory.mixture import FrozenHugoniot, MixtureState
@@ -40,7 +41,8 @@ def reaction_zones(zones: Sequence[tuple[str, object, object, Initial]]):
         axes[0, 0].annotate(f"{name}: D = {zone.velocity * 1e-3:.4g} km/s, spike {spike:.3g} GPa", (0.98, 0.97 - 0.085 * i),
                             xycoords="axes fraction", ha="right", va="top", fontsize=8, color=colour)
         _plane(axes[0, 1], zone, par, ahead, colour, notes=i == 0)
-    for ax, label in ((axes[0, 0], "pressure (GPa)"), (axes[1, 0], "burn fraction"), (axes[1, 1], "temperature (K)")):
+    warm = _temperature(par for _, _, par, _ in zones)
+    for ax, label in ((axes[0, 0], "pressure (GPa)"), (axes[1, 0], "burn fraction"), (axes[1, 1], warm)):
         ax.set(xlabel=f"distance behind the front ({unit})", ylabel=label, xlim=(-0.03 * last * factor, last * factor))
         quiet_grid(ax)
     axes[0, 0].set_ylim(0.0, (1.13 + 0.12 * len(zones)) * max(zone.von_neumann.pressure for _, zone, _, _ in zones) * 1e-9)
@@ -50,6 +52,13 @@ def reaction_zones(zones: Sequence[tuple[str, object, object, Initial]]):
     axes[0, 1].set(xlabel="specific volume (cm³/g)", ylabel="pressure (GPa)")
     quiet_grid(axes[0, 1])
     return axes[0, 0]
+
+
+def _temperature(laws) -> str:
+    """Label of the temperature: of the products where reactants are isolated, also beside closures with one temperature for both phases."""
+    flags = [MIXTURE.of(law).flags if MIXTURE.knows(law) else () for law in laws]
+    isolated, meaned = any("follows_isentrope" in f for f in flags), any("no_equilibrium" in f for f in flags)
+    return "temperature of the products (K)" if isolated and not meaned else "temperature (K)"
 
 
 def _shown(zone) -> float:
@@ -93,7 +102,7 @@ def mixture_states(name: str, curves: Sequence[tuple[str, MixtureState]], along:
     axes = new_panels(2, 2, 7.2, 5.0)
     keys = (("pressure", "pressure (GPa)", 1e-9), ("sound_speed", "sound speed (km/s)", 1e-3),
             ("burn_fraction", "burn fraction", 1.0) if along == "volume" else ("gruneisen", "Grüneisen parameter", 1.0),
-            ("temperature", "temperature (K)", 1.0))
+            ("temperature", _temperature(states.par for _, states in curves), 1.0))
     for ax, (key, label, factor) in zip(axes.flat, keys):
         ends, names, colours = [], [], []
         for i, (closure, states) in enumerate(curves):

@@ -8,6 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from hugoniot.cli.main import build_app
+from hugoniot.materials import library
 
 GAS = '[eos]\nlaw = "ideal_gas"\ngamma = 1.2\nspecific_heat = 5.0\n[burn]\nlaw = "arrhenius"\nfrequency = 231.16\nactivation_temperature = 50\n'
 LX17 = ("lx_17", "--shocked", "pressure = 20 GPa")
@@ -148,3 +149,18 @@ def test_a_closure_without_an_answer_is_a_note_and_none_at_all_an_error(tmp_path
     detonation = answer("cj", str(path))
     zone = answer("znd", str(path), "--rate", "pressure_power: rate_constant = 1e6 1/s, pressure_exponent = 1.5, depletion_exponent = 0.5", "--points", "9")
     assert zone["detonation_velocity"] == pytest.approx(detonation["detonation_velocity"], rel=1e-9)
+
+
+def test_whose_temperature_a_mixture_in_isolation_has_is_stated():
+    """LX-17 at 20 GPa, a quarter burned: 1446 K are the products', (e - e_c)/c_v by hand."""
+    told = eos("mixture", *LX17, "--burn-fraction", "0.25").output
+    assert "in thermal isolation, the temperature is that of the products" in told
+    assert "isolation, the temp" not in eos("mixture", *LX17, "--closure", "thermal_equilibrium").output
+    found = answer("mixture", *LX17, "--burn-fraction", "0.25", "--closure", "thermal_isolation")
+    found = found["materials"][0] if "materials" in found else found
+    par = library.find("lx_17").eos
+    v = par.rho0 / found["product_density"][0]
+    cold = (par.a / par.r1 * np.exp(-par.r1 * v) + par.b / par.r2 * np.exp(-par.r2 * v)) / par.rho0
+    assert found["temperature"][0] == pytest.approx((found["product_energy"][0] - cold) / par.specific_heat, rel=1e-9)
+    assert any("is that of the products" in note for note in found["warnings"])
+    assert any("is that of the products" in note for note in answer("znd", "lx_17")["warnings"])

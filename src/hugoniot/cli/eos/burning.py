@@ -14,6 +14,8 @@ from hugoniot.theory.hugoniot import Initial
 
 SCALARS = ("detonation_velocity", "chapman_jouguet_velocity", "overdrive", "half_reaction_length", "half_reaction_time",
            "reaction_zone_length")
+ISOLATED = ("in thermal isolation, the temperature is that of the products; at burn fraction 0, and in the von Neumann spike, it is that "
+            "of the reactants")
 
 
 class Zone(NamedTuple):
@@ -82,6 +84,14 @@ def mixture_of(subject: Subject, closure: str | None = None, heat: float | None 
     return found
 
 
+def whose_temperature(law, temperature) -> list[str]:
+    """A note on states of a mixture whose phases have different temperatures; none where there is no temperature."""
+    from hugoniot.laws.mixture.contract import MIXTURE
+
+    apart = MIXTURE.knows(law) and "follows_isentrope" in MIXTURE.of(law).flags
+    return [ISOLATED] if apart and temperature is not None else []
+
+
 def zones(names: list[str], asked: Zone, as_json, as_csv, plot) -> None:
     """Resolve the zone of every explosive; print, write and draw what is asked."""
     solved = [_solved(name, asked) for name in names]
@@ -138,7 +148,7 @@ def _solved(name: str, asked: Zone):
     velocity = quantity(asked.velocity, "m/s", "--velocity") if asked.velocity else None
     law, ahead, burn, kind, subject, said = burning_of(name, asked)
     zone = znd(law, ahead, burn, overdrive=asked.overdrive, velocity=velocity, points=asked.points, complete=asked.complete)
-    return subject.material.name, zone, law, ahead, kind, said
+    return subject.material.name, zone, law, ahead, kind, [*said, *whose_temperature(law, zone.table()["temperature"])]
 
 
 def _row(title, zone, law, ahead, closure, said) -> dict:

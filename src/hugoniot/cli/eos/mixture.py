@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import typer
 
-from hugoniot.cli.eos.burning import closure_of, mixture_of
+from hugoniot.cli.eos.burning import closure_of, mixture_of, whose_temperature
 from hugoniot.cli.eos.input import Subject, find_material, one_state, several_states
 from hugoniot.cli.eos.output import cell, deliver, echo_columns, echo_notes, notes, plain, write_csv
 from hugoniot.cli.show import echo_json, echo_table, quantity
@@ -77,6 +77,7 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
         return
     if plot:
         _draw(subject, cases, answers, asked, plot)
+    told += [note for c, a in zip(cases, answers) for note in whose_temperature(c.par, a.table().get("temperature"))]
     tables = [(f"{subject.material.name}, {c.kind}", {**a.table(), **_potential(a)}) for c, a in zip(cases, answers)]
     if not deliver(tables, as_json=as_json, as_csv=as_csv, told=[told] * len(tables),
                    more=[{"closure": c.kind, "detonation_energy": c.par.detonation_energy, "energy_at_rest": c.rest} for c in cases]):

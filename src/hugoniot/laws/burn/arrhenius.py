@@ -3,7 +3,8 @@ r"""Arrhenius rate: burning at a rate that depends on the temperature of the mix
 $$\dot\lambda = Z\,(1-\lambda)^m \exp(-T_a/T)$$
 
 * $\lambda$: burned mass fraction, 0 to 1; $\dot\lambda$: its rate of change
-* $T$: temperature of the mixture of unburned and burned material
+* $T$: temperature of the mixture of unburned and burned material; with the mixture law `thermal_isolation` that of the products, once
+  anything has burned
 * $Z$: `frequency`; $T_a$: `activation_temperature`; $m$: `depletion_exponent`
 
 The equations of state of the unreacted explosive and of the products must both give a temperature. Within a time step the temperature is

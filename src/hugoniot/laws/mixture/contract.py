@@ -11,7 +11,7 @@ laws keep their form.
     attempt(rho, e, burn_fraction, before, par)          as much of `solve` as a packed loop can do; else NOT_CONVERGED
     slopes(rho, e, burn_fraction, mixed, par)            Slopes of the pressure: by v at e, by e at v, by burn fraction at v and e
     phase_slopes(burn_fraction, mixed, par)              the twelve slopes of (v_r, e_r, v_p, e_p) by v, e, burn fraction
-    temperature(burn_fraction, mixed, par)               T of the mixture, K (laws that have one)
+    temperature(burn_fraction, mixed, par)               T of the mixture, K (laws that have one); of the products in thermal isolation
     specific_heat(burn_fraction, mixed, par)             C_v = de/dT at constant v and burn fraction, J/(kg K)
 
 `before` is the `Mixed` of the step before: the reactant isentrope runs through it (thermal isolation) and the search starts there.

@@ -12,6 +12,9 @@ $$p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad e_r - Q = e_S(v_r)$$
 Use it for fast burning at hot spots, in which the phases have no time to exchange heat. It is the default with the burn laws `arrhenius`,
 `forest_fire`, `ignition_growth`, `pressure_power` and `rate_table`.
 
+**Temperature.** The two phases have different temperatures. The temperature of the mixture is that of the products (Starkenberg, section
+5.6), and that of the reactants before anything has burned.
+
 **Small burn fractions.** The energy of the products is $e_p = (e - (1-\lambda) e_r)/\lambda$. At small $\lambda$ this magnifies any error
 of $e$. Below the burn fraction `nascent_limit` the isentrope of the reactants is therefore taken through the state of the mixture itself.
 The limit is 1e-6 in tools whose energies are exact to round-off, and larger in a run (1e-3, in `fronts` 1e-4),

@@ -82,8 +82,8 @@ def overrun(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
     densest = float(np.max(zones[Z.peak_density, near]))
     if not densest > CRUSHED * float(region.density or reference_state(material.eos)[0]):
         return None
-    return (f"zones were crushed, to {densest:.4g} kg/m3, before the programmed front lit them: what pushes them arrives earlier, such as a "
-            "plate, or burned explosive that drives a faster front than the burn law allows (as in converging geometry).",
+    return (f"zones were crushed, to {densest:.4g} kg/m3, before the programmed front lit them: what pushes them arrives earlier, such as "
+            "a plate, or burned explosive that drives a faster front than the burn law allows (as in converging geometry).",
             f"allow compression to burn a zone ahead of its schedule: {with_compression(material, region)}; or use a rate law.")
 
 
