@@ -5,10 +5,12 @@ away from the impact: a free surface, or the interface with a window.
 """
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
+from hugoniot.laws.eos.contract import EOS
 from hugoniot.output.result_columns import history, record_by_record
 
 SURFACE, WINDOW = "free surface", "window interface"
@@ -61,9 +63,20 @@ def _away(setup) -> list[tuple[str, ...]]:
     return found
 
 
+def explosives(setup) -> set[str]:
+    """Names of the regions that burn or begin as detonation products: they drive what they touch, and no spall signal comes out there."""
+    laws = {name: material["laws"] for name, material in setup.get("materials", {}).items()}
+    burning = {name for name, found in laws.items() if any(_burns(law) for law in found)}
+    return {region["name"] for region in setup["regions"] if region.get("material") in burning}
+
+
+def _burns(law: Mapping) -> bool:
+    return law["family"] == "burn" or law["family"] == "eos" and law["law"] in EOS.names() and "reacted" in EOS.get(law["law"]).flags
+
+
 def ends(setup) -> list[tuple[str, str, str, tuple[str, ...]]]:
     """(region, kind, window, places of a gauge there) of every end at which a region's spall signal can be seen."""
-    regions, found, away = setup["regions"], [], _away(setup)
+    regions, found, away, driving = setup["regions"], [], _away(setup), explosives(setup)
     for k, region in enumerate(regions):
         name = region["name"]
         for side, other in (("right", k + 1), ("left", k - 1)):
@@ -77,6 +90,8 @@ def ends(setup) -> list[tuple[str, str, str, tuple[str, ...]]]:
             gap = regions[other]["start"] - region["end"] if side == "right" else region["start"] - regions[other]["end"]
             if gap > 0.0:
                 found.append((name, SURFACE, "", (own,)))
+            elif driving & {name, regions[other]["name"]}:
+                continue
             elif np.mean(region["velocity"]) == np.mean(regions[other]["velocity"]):    # else it is where they collide
                 pair = f"{name}/{regions[other]['name']}" if side == "right" else f"{regions[other]['name']}/{name}"
                 found.append((name, WINDOW, regions[other]["name"], (pair, own)))
@@ -84,19 +99,19 @@ def ends(setup) -> list[tuple[str, str, str, tuple[str, ...]]]:
 
 
 def records(run) -> list[Record]:
-    """The records of every gauge at a free surface or a window interface: bodies that were hit first,
-    then gauges that the deck names, free surfaces before windows."""
+    """The records of every gauge at a free surface or a window interface: bodies that were hit first, inert ones before explosives, then
+    gauges that the deck names, free surfaces before windows."""
     if not run.gauge_names() or "axes" in run.setup:     # of two dimensions no end is the free surface
         return []
     at = {gauge["name"]: str(gauge["at"]) for gauge in run.setup["gauges"]}
-    hit, found = hit_regions(run.setup), []
+    hit, driving, found = hit_regions(run.setup), explosives(run.setup), []
     for region, kind, window, places in ends(run.setup):
         name = next((name for place in places for name in run.gauge_names() if at.get(name, name) == place), None)
         if name is not None:
             time, velocity = run.gauge("velocity", name)
             leftward = places[0].endswith("left") if kind == SURFACE else places[1].endswith(":left")
             found.append(Record(time, -velocity if leftward else velocity, name, kind, region, window, f"gauge '{name}'"))
-    return sorted(found, key=lambda r: (r.region not in hit, at.get(r.gauge) == r.gauge, r.kind != SURFACE))
+    return sorted(found, key=lambda r: (r.region not in hit, r.region in driving, at.get(r.gauge) == r.gauge, r.kind != SURFACE))
 
 
 def surface_record(run, name: str | None = None) -> Record:

@@ -21,7 +21,7 @@ from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.materials.initial_state import energy_at_pressure
 from hugoniot.materials.material import Material
 from hugoniot.output.compare import compare
-from hugoniot.output.run_numbers import is_lower_bound, spall_numbers
+from hugoniot.output.run_numbers import gauge_rows, highest, is_lower_bound, spall_numbers
 from hugoniot.output.spall_reading import constants_of, read_record, reading_of, spall_reading, through_window
 from hugoniot.output.spall_records import hit_regions, records, spalled_regions, surface_record
 from hugoniot.plotting.records import free_surface as free_surface_velocity
@@ -239,6 +239,42 @@ def test_the_body_that_is_hit():
     assert hit_regions(regions(500.0, 0.0, 0.0)) == ["1", "2"] and hit_regions(regions(0.0, -500.0, -500.0)) == ["0"]
     assert hit_regions(regions(250.0, -250.0)) == ["0", "1"] == hit_regions(regions(0.0, 0.0))
     assert hit_regions(regions(500.0, 500.0, [0.0, 0.0])) == ["2"]
+
+
+CHARGE_AND_PLATE = """
+stop_time = "3 us"
+region = [{name = "charge", material = "comp_b", from = "0 cm", to = "1 cm", zones = 50},
+          {name = "plate", material = "al", from = "1 cm", to = "1.2 cm", zones = 40}]
+lighting = [{at = "0 cm"}]
+material.al.eos = {law = "mie_gruneisen", rho0 = "2700 kg/m^3", c0 = "5200 m/s", s = 1.5, gamma0 = 2.0}
+material.al.fracture = {law = "spall_stress", strength = "1 GPa"}
+"""
+
+
+def test_the_surface_that_is_seen_is_the_plates_not_the_back_of_its_charge(tmp_path):
+    """Products that expand into vacuum outrun the plate: 5 km/s to the left stood for the velocity of the free surface."""
+    done = run(read_deck_text(CHARGE_AND_PLATE).problem, out=tmp_path / "plate")
+    peak = {row["gauge"]: row["peak_velocity"] for row in gauge_rows(done)}
+    assert peak["free surface left"] < -1.2 * peak["free surface right"] < 0.0
+    assert [record.gauge for record in records(done)] == ["free surface right", "free surface left"]
+    assert highest(done).get("surface_velocity", peak["free surface right"]) == peak["free surface right"]
+
+
+def test_an_interface_with_an_explosive_is_no_window(tmp_path):
+    """'no wave reached gauge cavity' stood beside its arrival: outwards from the metal it moves backwards."""
+    text = CHARGE_AND_PLATE.replace("stop_time", 'geometry = "spherical"\nstop_time') + 'gauge = [{name = "cavity", at = "charge/plate"}]'
+    done = run(read_deck_text(text).problem, out=tmp_path / "ball")
+    assert "plate" in spalled_regions(done) and "cavity" not in [record.gauge for record in records(done)]
+    assert "no wave reached" not in spall_numbers(done).get("reason", "")
+
+
+@pytest.mark.parametrize("lit", ["0 cm", "1 cm"])
+def test_a_surface_that_the_detonation_has_not_reached_is_at_rest(tmp_path, lit):
+    """Of unlit explosive; round-off of 1e-17 m/s and minus zero were printed as its velocity. It has none to print."""
+    other = "left" if lit == "0 cm" else "right"
+    text = f'stop_time = "0.5 us"\nregion = [{{name = "charge", material = "comp_b", from = "0 cm", to = "1 cm", zones = 50}}]\nlighting = [{{at = "{lit}"}}]\nboundary.{other} = "fixed"'
+    done = run(read_deck_text(text).problem, out=tmp_path / "charge")
+    assert "surface_velocity" not in highest(done)
 
 
 def test_terminal_report_and_json_show_the_same_numbers(ran, capsys):
