@@ -6,6 +6,7 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import (
     EOS,
     density_limits,
+    gives,
     has_temperature,
     pressure,
     pressure_derivatives,
@@ -15,6 +16,7 @@ from hugoniot.laws.eos.contract import (
 from hugoniot.units import format_si
 
 _STEPS = 200
+ENDLESS = 1e12   # J/kg/K: with it the temperature is that of the cold isentrope, and a little less for less energy
 COLD = 1e-12     # of a pressure that does not depend on the energy: what counts as the same
 
 
@@ -142,12 +144,22 @@ def initial_state(eos, density=None, pressure_=None, temperature_=None, energy=N
     One alone goes with the reference density, and a density alone with zero pressure (with the reference temperature for a gas).
     """
     rho, e = _state(eos, density, pressure_, temperature_, energy)
-    if has_temperature(eos) and (warm := float(temperature(rho, e, eos))) < 0.0:
-        alone = density is not None and pressure_ is None and energy is None
-        remedy = "; give its temperature as well, and the pressure follows" if alone else ""
-        raise OutOfRange(f"{rho:.6g} kg/m3 and {format_si(float(pressure(rho, e, eos)), 'Pa', 4)} would be a state at "
-                         f"{warm:.4g} K, below absolute zero{remedy}")
+    alone = density is not None and pressure_ is None and energy is None
+    refuse_below_zero(rho, e, eos, "; give its temperature as well, and the pressure follows" if alone else "")
     return rho, e
+
+
+def refuse_below_zero(rho, e, eos, remedy: str = "") -> None:
+    """OutOfRange for a state whose temperature would be negative; where no specific heat is known, whatever it were."""
+    known = has_temperature(eos)
+    if not known:
+        if not (gives(eos, "temperature") and "specific_heat" in eos._fields):
+            return
+        eos = eos._replace(specific_heat=ENDLESS)
+    warm = float(temperature(rho, e, eos))
+    if warm < 0.0:
+        where = f"at {warm:.4g} K, below absolute zero" if known else "below absolute zero, whatever its specific heat"
+        raise OutOfRange(f"{rho:.6g} kg/m3 and {format_si(float(pressure(rho, e, eos)), 'Pa', 4)} would be a state {where}{remedy}")
 
 
 def _state(eos, density, pressure_, temperature_, energy) -> tuple[float, float]:

@@ -1,15 +1,20 @@
 """States from two of density, pressure, temperature and energy, far from rest too, and of laws that search for their pressure."""
 
+import math
+
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 import hugoniot.laws.eos  # noqa: F401  (enrols the laws)
+from hugoniot.cli.main import build_app
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS, reference_state
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.materials import library
 from hugoniot.materials.initial_state import energy_at_pressure, initial_state
 
 GAS = IdealGas(1.4, 717.5, 1.2)
@@ -59,3 +64,16 @@ def test_a_state_below_absolute_zero_is_refused():
     rho, e = initial_state(copper, density=9500.0, temperature_=300.0)
     assert contract.temperature(rho, e, copper) == pytest.approx(300.0) and contract.pressure(rho, e, copper) > 9e9
     assert initial_state(copper, density=8800.0)[0] == 8800.0       # expanded, and so hot
+
+
+def test_products_colder_than_their_cold_isentrope_are_refused_without_a_specific_heat():
+    """Composition B products at 1717 kg/m3 have 11.88 GPa; 1 GPa there needs -13.7 MJ/kg, 15 MJ/kg below e_c: a gas that bore tension."""
+    par = library.find("comp_b").eos
+    assert not par.specific_heat > 0.0
+    cold = (par.a / par.r1 * math.exp(-par.r1) + par.b / par.r2 * math.exp(-par.r2)) / par.rho0
+    least = float(contract.pressure(par.rho0, cold, par))
+    assert initial_state(par, pressure_=1.001 * least)[1] > cold
+    with pytest.raises(OutOfRange, match="below absolute zero, whatever its specific heat"):
+        initial_state(par, pressure_=0.999 * least)
+    told = CliRunner().invoke(build_app("eos"), ["eos", "riemann", "comp_b", "copper", "--left", "pressure = 1 GPa"])
+    assert told.exit_code == 3 and "below absolute zero" in told.output

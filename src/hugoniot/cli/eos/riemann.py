@@ -6,6 +6,7 @@ from hugoniot.cli.eos.input import find_material, several_states
 from hugoniot.cli.eos.output import cell, echo_notes, echo_states, notes, row_of, write_csv
 from hugoniot.cli.eos.splits import jump_notes
 from hugoniot.cli.show import echo_json, echo_table
+from hugoniot.materials.initial_state import refuse_below_zero
 from hugoniot.theory.hugoniot import Initial
 from hugoniot.theory.isentrope import state
 from hugoniot.theory.riemann import riemann
@@ -16,6 +17,8 @@ def report(materials: tuple[str, str], given_states: tuple[str, str], bonded: bo
     subjects = [find_material(name) for name in materials]
     given = [several_states(text, option) if text else {} for text, option in zip(given_states, ("--left", "--right"))]
     states = [state(s.material, g.pop("velocity", 0.0), **g) for s, g in zip(subjects, given)]
+    for subject, start in zip(subjects, states):
+        refuse_below_zero(float(start.density), float(start.specific_internal_energy), subject.material.eos)
     found = riemann(subjects[0].material, states[0], subjects[1].material, states[1], bonded=bonded)
     if plot:
         from hugoniot.plotting.eos import save
