@@ -11,6 +11,8 @@ from hugoniot.laws.eos.jwl import JWL
 from hugoniot.materials import cards, library, schema, users
 from hugoniot.materials.collect import Collector
 from hugoniot.materials.law_reader import read_law
+from hugoniot.problem.explosives import TOLERATED
+from hugoniot.theory.chapman_jouguet import cj
 
 EXPLOSIVES = [n for n, listing in library.index().items() if listing.category == "explosive"]
 
@@ -21,8 +23,10 @@ def test_products_and_schedule(name):
     assert "reacted" in EOS.of(entry.material.eos).flags and BURN.of(entry.material.burn).name == "programmed"
     assert entry.material.strength is None  # products carry none
     stated = entry.detonation.get("velocity")
-    if stated is not None:
-        assert entry.material.burn.detonation_velocity == stated.value
+    if stated is not None:      # except where products would overrun a front at that speed, or leave it too weak
+        speed, sustained = entry.material.burn.detonation_velocity, cj(entry.material.eos).detonation_velocity
+        near = abs(stated.value / sustained - 1.0) <= TOLERATED
+        assert speed == (stated.value if near else pytest.approx(sustained, rel=1e-5))
     if entry.rate is not None:
         assert entry.unreacted is not None, "a rate without its reactant is of no use"
 
