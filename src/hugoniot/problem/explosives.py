@@ -77,14 +77,25 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
 
 def advice(problem: Problem) -> list[str]:
     """What is allowed but seldom meant: fronts products would not drive, burn laws of another density, lighting that comes too late."""
-    said = material_advice(problem)
-    said += [f"lighting point {k + 1} fires at {format_si(point.time, 's')}, after the end of the run (stop_time), "
-             "and has no effect" for k, point in
-             enumerate(problem.lighting) if point.time > problem.stop_time]
+    said = material_advice(problem) + lighting_advice(problem)
     said += [text for body in programmed_bodies(problem) if (text := _converging_advice(problem, body))]
     for region in problem.regions:
         if burns(problem, region):
             said += [text for text in region_advice(problem, region) if text not in said]
+    return said
+
+
+def lighting_advice(problem) -> list[str]:
+    """Of lighting points that fire after the end of the run, or before its start."""
+    said = []
+    for k, point in enumerate(problem.lighting):
+        if point.time > problem.stop_time:
+            said.append(f"lighting point {k + 1} fires at {format_si(point.time, 's')}, after the end of the run (stop_time), "
+                        "and has no effect")
+        elif point.time < 0.0:
+            said.append(f"lighting point {k + 1} fires {format_si(-point.time, 's')} before the run starts: the explosive that its front "
+                        "has passed by then starts as products at rest, at the pressure of a constant-volume explosion and without the "
+                        "flow behind a detonation; give a time of 0 or later")
     return said
 
 

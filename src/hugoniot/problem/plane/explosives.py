@@ -4,10 +4,9 @@ import numpy as np
 
 from hugoniot.errors import HugoniotError
 from hugoniot.materials import burning
-from hugoniot.problem.explosives import burns, material_advice, region_advice
+from hugoniot.problem.explosives import burns, lighting_advice, material_advice, region_advice
 from hugoniot.problem.plane.lighting import bodies, holds, unlit
 from hugoniot.problem.plane.model import Problem2D
-from hugoniot.units import format_si
 
 
 def defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
@@ -40,10 +39,7 @@ def _lighting_defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
 
 def advice(problem: Problem2D) -> list[str]:
     """What is allowed but seldom meant, as `problem.explosives.advice`."""
-    said = material_advice(problem)
-    said += [f"lighting point {k + 1} fires at {format_si(point.time, 's')}, after the end of the run (stop_time), "
-             "and has no effect" for k, point in
-             enumerate(problem.lighting) if point.time > problem.stop_time]
+    said = material_advice(problem) + lighting_advice(problem)
     for block in problem.blocks:
         if burns(problem, block):
             said += [text for text in region_advice(problem, block) if text not in said]
