@@ -17,7 +17,7 @@ from hugoniot.materials import burning, library
 from hugoniot.materials.material import Material
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.problem.explosives import defects, programmed_bodies
-from hugoniot.problem.model import Lighting, Problem, Region, SolverOptions
+from hugoniot.problem.model import Boundary, Lighting, Problem, Region, SolverOptions
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import post_mortem, reactive
 from hugoniot.solvers.lagrange1d.layout import B, Z
@@ -237,6 +237,15 @@ def test_zones_crushed_before_a_front_lit_them_are_told_with_the_law_to_take():
     cause, remedy = post_mortem.ill_burned(problem, zones, charge, np.zeros(20, int), 3)
     assert "crushed, to 5000 kg/m3, before the programmed front lit them" in cause
     assert 'law = "programmed_beta", rho0 = 1717, rho_cj = 2351' in remedy
+
+
+@pytest.mark.parametrize("law", ["copper", "aluminum_6061", "tungsten"])
+def test_a_plate_at_rest_beside_explosive_that_is_not_lit_stays_in_contact(law):
+    """Unlit explosive has neither pressure nor stiffness: a traction of round-off opened the interface in the first step."""
+    regions = (Region("charge", "comp_b", 0.0, 0.02, 100), Region("plate", "plate", 0.02, 0.023, 30))
+    materials = {"plate": dataclasses.replace(library.find(law), name="plate"), "comp_b": library.find("comp_b")}
+    solver = make_solver(Problem("x", "planar", 3e-6, regions, materials, left=Boundary("fixed"), lighting=(Lighting(0.0),)))
+    assert solver.march(1e-6, 10_000) == []
 
 
 @pytest.mark.parametrize("integrator", ["compatible", "wilkins"])

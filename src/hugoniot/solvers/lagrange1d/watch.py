@@ -15,6 +15,7 @@ from hugoniot.solvers.lagrange1d.layout import ChargeRows, H, NodeRows, Z, ZoneR
 RELIEVED = 0.3        # a zone below this fraction of its failure limit is out of the tension that opened a void, also in its smeared tail
 VOIDED = 1e-3         # void fraction from which a zone belongs to an older spall plane and opens none of its own
 CHATTER = 1e-4        # tension, in units of rho c^2, a strengthless interface supports: the noise a release leaves (Herrmann A.7)
+SILENT = 1e-12        # the same in units of the stiffer side: its round-off beside explosive, which before it burns has no stiffness
 TOUCHING = 1e-6       # gap, in units of the neighbouring zones, that counts as closed
 
 
@@ -82,7 +83,8 @@ def separating_interface(zones, nodes, interfaces):
         traction = (left * mr + right * ml) / (ml + mr)
         stiff_left, stiff_right = zone.rho[z] * zone.c[z] * zone.c[z], zone.rho[z + 1] * zone.c[z + 1] * zone.c[z + 1]
         follows = LEAST_STIFFNESS * left > stiff_left or LEAST_STIFFNESS * right > stiff_right
-        if not follows and -traction > h.bond[node] + CHATTER * min(stiff_left, stiff_right):
+        noise = max(CHATTER * min(stiff_left, stiff_right), SILENT * max(stiff_left, stiff_right))
+        if not follows and -traction > h.bond[node] + noise:
             return i
     return -1
 
