@@ -55,12 +55,12 @@ def gauge_rows(run: Run) -> list[dict]:
     side_of = sides(run.setup["gauges"])
     kinds = {gauge["name"]: gauge["kind"] for gauge in run.setup["gauges"]} if plane else {}
     for k, name in enumerate(names):
+        if name in side_of and _same(table["velocity"], k, names.index(side_of[name]), largest["velocity"]):
+            continue     # the interface gauge has it
         velocity, change = _velocity(table, k, kinds.get(name, ""))
         end = max(recorded(velocity), 1)
         time = table["time"][:end]
         velocity, change = (without_round_off(values[:end], max(largest["velocity"], pushed)) for values in (velocity, change))
-        if name in side_of and np.array_equal(velocity, table["velocity"][:, names.index(side_of[name])]):
-            continue     # the interface gauge has it
         row: dict = {"gauge": name}
         moved = bool(np.max(np.abs(change - change[0])) > noise)
         row["arrival"], row["second_arrival"] = arrivals(time, change) if moved else (float("nan"), float("nan"))
@@ -94,6 +94,11 @@ def _levels(time, velocity, change, stress, arrival: float, moved: bool) -> dict
     largest = float(np.max(np.abs(velocity)))
     return found | {"peak_velocity": float(velocity[np.argmax(np.abs(velocity))]),
                     "plateau_velocity": level_over(weight, velocity[first:], top, largest), "last_velocity": float(velocity[-1])}
+
+
+def _same(table: np.ndarray, k: int, other: int, largest: float) -> bool:
+    """Whether the records of two gauges differ by round-off only."""
+    return bool(np.all(np.abs(table[:, k] - table[:, other]) <= ROUND_OFF * largest))
 
 
 def without_round_off(values: np.ndarray, largest: float) -> np.ndarray:

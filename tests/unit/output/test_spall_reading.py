@@ -262,8 +262,9 @@ def test_the_surface_that_is_seen_is_the_plates_not_the_back_of_its_charge(tmp_p
 
 def test_an_interface_with_an_explosive_is_no_window(tmp_path):
     """'no wave reached gauge cavity' stood beside its arrival: outwards from the metal it moves backwards."""
-    text = CHARGE_AND_PLATE.replace("stop_time", 'geometry = "spherical"\nstop_time') + 'gauge = [{name = "cavity", at = "charge/plate"}]'
+    text = CHARGE_AND_PLATE.replace("stop_time", 'geometry = "spherical"\nstop_time') + 'gauge = [{name = "cavity", at = "charge/plate"}]\ninterface = [{between = ["charge", "plate"], kind = "bonded"}]'
     done = run(read_deck_text(text).problem, out=tmp_path / "ball")
+    assert not [row["gauge"] for row in gauge_rows(done) if row["gauge"].startswith("cavity ")], "bonded sides have the same record"
     assert "plate" in spalled_regions(done) and "cavity" not in [record.gauge for record in records(done)]
     assert "no wave reached" not in spall_numbers(done).get("reason", "")
 
