@@ -164,3 +164,12 @@ def test_whose_temperature_a_mixture_in_isolation_has_is_stated():
     assert found["temperature"][0] == pytest.approx((found["product_energy"][0] - cold) / par.specific_heat, rel=1e-9)
     assert any("is that of the products" in note for note in found["warnings"])
     assert any("is that of the products" in note for note in answer("znd", "lx_17")["warnings"])
+
+
+def test_which_explosive_an_answer_is_about_is_stated():
+    """The unreacted one in a Hugoniot; the products in a Riemann problem, with the state they start in: 11.88 GPa at constant volume."""
+    assert eos("hugoniot", "comp_b", "--at", "pressure = 10 GPa").output.startswith("Composition B (unreacted)")
+    par = library.find("comp_b").eos
+    a, b = par.a * (1.0 - par.omega / par.r1) * np.exp(-par.r1), par.b * (1.0 - par.omega / par.r2) * np.exp(-par.r2)
+    told = eos("riemann", "comp_b", "copper").output
+    assert f"comp_b stands for its detonation products, which start at {(a + b + par.omega * par.e0) / 1e9:.5g} GPa and 1717 kg/m3" in told

@@ -28,6 +28,8 @@ def report(materials: tuple[str, str], given_states: tuple[str, str], bonded: bo
     jumps = [abs(found.velocity - s.particle_velocity) if w.kind == "shock" else 0.0 for s, w in zip(states, (found.left, found.right))]
     told = list(dict.fromkeys(text for s, start, jump in zip(subjects, states, jumps)
                               for text in (*jump_notes(s.material, jump, Initial.of(start)), *notes(s, jump))))
+    told += [f"{s.material.name} stands for its detonation products, which start at {cell('pressure', start.pressure)} and "
+             f"{start.density:.6g} kg/m3" for s, start in zip(subjects, states) if s.reacted]
     first = {f"{side}_initial": row_of(s.table()) for side, s in zip(("left", "right"), states)}
     waves = {side: {"wave": w.kind, "head": w.head, "tail": w.tail, **row_of(w.behind.table())}
              for side, w in (("left", found.left), ("right", found.right)) if w.behind.density > 0.0}
