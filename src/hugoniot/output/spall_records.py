@@ -14,6 +14,7 @@ from hugoniot.laws.eos.contract import EOS
 from hugoniot.output.result_columns import history, record_by_record
 
 SURFACE, WINDOW = "free surface", "window interface"
+OUTWARD = 1e-3        # of the largest speed of a record: less is round-off, or what a wave sends ahead of it
 
 
 @dataclass(frozen=True)
@@ -117,6 +118,7 @@ def records(run) -> list[Record]:
 def surface_record(run, name: str | None = None) -> Record:
     """What a velocity interferometer would record: of the gauge `name`, else of the body that was hit, else of the snapshots' right face.
 
+    Of several ends that may be seen, the first that moved outwards: a face that another body strikes across a gap does not.
     Empty where the right end is not free and no gauge rides on a free surface or a window interface.
     """
     seen = [record for record in records(run) if name in (None, record.gauge)]
@@ -124,12 +126,19 @@ def surface_record(run, name: str | None = None) -> Record:
         time, velocity = run.gauge("velocity", name)
         return Record(time, velocity, name, "", source=f"gauge '{name}'")
     if seen:
-        return seen[0]
+        hit, driving = hit_regions(run.setup), explosives(run.setup)
+        rank = [(record.region in hit, record.region in driving) for record in seen]
+        return next((record for record, own in zip(seen, rank) if own == rank[0] and _moved_out(record)), seen[0])
     rows = run.arrays("snapshots")
     if "axes" in run.setup or run.setup["boundaries"]["right"]["kind"] != "free" or "velocity_right" not in rows:
         return Record(np.empty(0), np.empty(0), source="nothing")
     return Record(rows["time"], history(rows, "velocity_right", -1), region=run.setup["regions"][-1]["name"],
                   source="the snapshots only; a gauge at 'free surface right' would record it more finely")
+
+
+def _moved_out(record: Record) -> bool:
+    """Whether more than round-off of its motion was outwards."""
+    return bool(np.max(record.velocity, initial=0.0) > OUTWARD * np.max(np.abs(record.velocity), initial=0.0))
 
 
 def spalled_regions(run) -> dict[str, float]:

@@ -269,6 +269,15 @@ def test_an_interface_with_an_explosive_is_no_window(tmp_path):
     assert "no wave reached" not in spall_numbers(done).get("reason", "")
 
 
+def test_a_face_that_is_struck_across_a_gap_is_not_the_surface_that_is_seen(tmp_path):
+    """A gauge on it stood for the free surface, with 0 m/s: it moves into its body."""
+    text = CHARGE_AND_PLATE.replace("]\nlighting", """,
+          {name = "second", material = "al", from = "1.25 cm", to = "1.4 cm", zones = 30}]\nlighting""") + 'gauge = [{name = "struck", at = "second:left"}]'
+    done = run(read_deck_text(text).problem, out=tmp_path / "two plates")
+    peak = {row["gauge"]: row["peak_velocity"] for row in gauge_rows(done)}
+    assert surface_record(done).gauge == "free surface right" and np.max(surface_record(done).velocity) == peak["free surface right"] > 1000.0
+
+
 @pytest.mark.parametrize("lit", ["0 cm", "1 cm"])
 def test_a_surface_that_the_detonation_has_not_reached_is_at_rest(tmp_path, lit):
     """Of unlit explosive; round-off of 1e-17 m/s and minus zero were printed as its velocity. It has none to print."""
