@@ -6,6 +6,7 @@ from hugoniot.materials import schema
 from hugoniot.materials.library import curated_name, find, spall_row
 from hugoniot.problem.model import Problem
 from hugoniot.problem.plane.model import Problem2D
+from hugoniot.problem.write import toml_key
 from hugoniot.units import format_si
 
 MULTIPLE = 3.0     # of a spall strength: measured ones grow that much from slow to fast loading
@@ -35,9 +36,9 @@ def overstretched(problem: Problem | Problem2D, region_of: np.ndarray, peak_tens
         strength, whose = spall_scale(material.library)
         if tension > MULTIPLE * strength:
             name = region.material
-            law = f"add [material.{name}.fracture]"
+            law = f"add [material.{toml_key(name)}.fracture]"
             if problem.solver.kind == "fronts":
-                law = f"run it with lagrange1d and [material.{name}.fracture]"
+                law = f"run it with lagrange1d and [material.{toml_key(name)}.fracture]"
             found.append(f"'{region.name}' was under a tension of {format_si(tension, 'Pa', 3)}, more than {MULTIPLE:g} times {whose}, "
                          f"but material '{name}' has no fracture law; {law}, or do not rely on the run "
                          "after that tension")

@@ -10,6 +10,7 @@ from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials import burning
 from hugoniot.problem.defaults import FOR_PRODUCTS
 from hugoniot.problem.model import Problem
+from hugoniot.problem.write import toml_key
 from hugoniot.theory.chapman_jouguet import cj
 from hugoniot.theory.hugoniot import Initial
 from hugoniot.units import format_si
@@ -186,7 +187,8 @@ def _converging_advice(problem: Problem, body: list[int]) -> str | None:
     if problem.geometry == "planar" or region is None or not lit or min(lit) <= CONVERGING * inner:
         return None
     return (f"the programmed front of '{region.name}' runs inward from {format_si(min(lit), 'm')} to {format_si(inner, 'm')}: a "
-            f"real converging front would outrun this schedule, so unlit zones are crushed; use [material.{region.material}.burn] "
+            f"real converging front would outrun this schedule, so unlit zones are crushed; use "
+            f"[material.{toml_key(region.material)}.burn] "
             f"{with_compression(problem.materials[region.material], region)}")
 
 

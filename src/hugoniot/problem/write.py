@@ -20,10 +20,10 @@ def _table(table: dict[str, Any], path: tuple[str, ...]) -> list[str]:
         if isinstance(value, (dict, list)) and _has_header(value, len(path)):
             headed.append((name, value))
         else:
-            lines.append(f"{_key(name)} = {_value(value)}")
+            lines.append(f"{toml_key(name)} = {_value(value)}")
     for name, value in headed:
         here = (*path, name)
-        header = ".".join(_key(k) for k in here)
+        header = ".".join(toml_key(k) for k in here)
         if isinstance(value, list):
             for element in value:
                 lines += ["", f"[[{header}]]", *_table(element, here)]
@@ -52,7 +52,8 @@ def _inline_only(value: dict) -> bool:
 
 
 @functools.lru_cache(maxsize=1024)
-def _key(name: str) -> str:
+def toml_key(name: str) -> str:
+    """A key as TOML writes it: in quotes where it has other characters than letters, digits, - and _."""
     return name if _BARE.fullmatch(name) else _text(name)
 
 
@@ -76,5 +77,5 @@ def _value(value: Any) -> str:
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_value(v) for v in value) + "]"
     if isinstance(value, dict):
-        return "{" + ", ".join(f"{_key(k)} = {_value(v)}" for k, v in value.items()) + "}"
+        return "{" + ", ".join(f"{toml_key(k)} = {_value(v)}" for k, v in value.items()) + "}"
     raise TypeError(f"a {type(value).__name__} cannot be written in a deck")

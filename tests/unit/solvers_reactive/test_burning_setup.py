@@ -1,6 +1,8 @@
 """What a burning problem is made of: closures, heat, start states, lighting, refusals; and the diagnostics of fronts."""
 
 import dataclasses
+import re
+import tomllib
 
 import numpy as np
 import pytest
@@ -354,3 +356,13 @@ def test_every_burn_law_may_take_the_leapfrog(law):
     if "programmed" not in BURN.get(law).flags:
         problem = dataclasses.replace(problem, lighting=())
     assert defects(dataclasses.replace(problem, solver=dataclasses.replace(problem.solver, integrator="wilkins"))) == []
+
+
+def test_a_table_that_a_message_tells_to_write_is_toml():
+    """[material.LX-17 reactive.unreacted] is not."""
+    region = Region("charge", "LX-17 reactive", 0.0, 0.02, 4)
+    problem = Problem("x", "planar", 1e-6, (region,), {"LX-17 reactive": library.find("LX-17 reactive")})
+    (told,) = reactive.pulled(problem, np.full(4, 1e9), [(0, 4)])
+    for header in re.findall(r"\[material[^]]*\]", told):
+        assert "LX-17 reactive" in tomllib.loads(header)["material"]
+    assert told.count("[material") == 2

@@ -14,6 +14,7 @@ from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.materials import burning
 from hugoniot.problem.explosives import burns, defects, front_speed, programmed_bodies
 from hugoniot.problem.model import Problem
+from hugoniot.problem.write import toml_key
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import B, Z
 from hugoniot.units import format_si
@@ -130,12 +131,12 @@ def pulled(problem: Problem, peak_tension, ranges) -> list[str]:
         if not burns(problem, region) or not burning.has_reactants(material) or material.fracture is not None:
             continue
         rho, e = reference_state(material.unreacted)
-        tension = float(np.max(peak_tension[a:b]))
+        tension, table = float(np.max(peak_tension[a:b])), f"[material.{toml_key(region.material)}.unreacted"
         if tension > PULLED * rho * sound_speed_squared(rho, e, material.unreacted):
             told.append(f"region '{region.name}': its unburned explosive held a tension of up to {format_si(tension, 'Pa')} without "
-                        f"separating: give the material a fracture law, or limit the tension: [material.{region.material}.unreacted] "
+                        f"separating: give the material a fracture law, or limit the tension: {table}] "
                         "law = \"tension_cutoff\", tension = \"0 Pa\", and its own law with all constants "
-                        f"under [material.{region.material}.unreacted.base]")
+                        f"under {table}.base]")
     return told
 
 
