@@ -16,6 +16,7 @@ from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT
 from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.reach import reach
 
@@ -77,20 +78,22 @@ def law_record(family: Registry, par, sources=()) -> dict:
 
 
 def material_record(material) -> dict:
-    """Laws with every constant and its source, the sources that name no parameter, and warnings."""
-    laws = []
+    """Laws that the run uses, with every constant and its source, the sources that name no parameter, and warnings."""
+    laws, sources = [], material.sources
     for family in ("eos", "strength", "fracture"):
         par = getattr(material, family)
         if par is not None:
             laws.append(law_record(_FAMILIES[family], par, material.sources))
     if material.burn is not None:
         laws.append(_burn_record(material.burn, material.sources))
-        if material.unreacted is not None:
+        if not burning.has_reactants(material):     # a programmed burn goes from no pressure to the products
+            sources = tuple(source for source in sources if not source.quantity.startswith("unreacted."))
+        elif material.unreacted is not None:
             own = tuple(dataclasses.replace(source, quantity="eos." + source.quantity.removeprefix("unreacted."))
                         for source in material.sources if source.quantity.startswith("unreacted."))
             laws.append({**law_record(EOS, material.unreacted, own), "family": "unreacted"})
     named = {constant["name"] for law in laws for constant in law["constants"]}
-    others = [plain(source) for source in material.sources if source.quantity.rpartition(".")[2] not in named]
+    others = [plain(source) for source in sources if source.quantity.rpartition(".")[2] not in named]
     return {"name": material.name, "laws": laws, "other_sources": others, "warnings": list(material.warnings),
             "valid_up_to": material.valid_up_to, "reach": reach(material), "at_rest": _at_rest(material)}
 

@@ -366,3 +366,14 @@ def test_a_table_that_a_message_tells_to_write_is_toml():
     for header in re.findall(r"\[material[^]]*\]", told):
         assert "LX-17 reactive" in tomllib.loads(header)["material"]
     assert told.count("[material") == 2
+
+
+def test_the_record_of_a_material_holds_the_laws_that_the_run_uses():
+    """A programmed burn goes from no pressure to the products: its report listed and cited the unreacted explosive all the same."""
+    from hugoniot.output.setup_record import material_record
+
+    alone = material_record(library.find("comp_b"))
+    assert [law["family"] for law in alone["laws"]] == ["eos", "burn"]
+    assert not [source for source in alone["other_sources"] if source["quantity"].startswith("unreacted.")]
+    mixed = material_record(dataclasses.replace(library.find("comp_b"), mixture="weighted_pressures"))
+    assert [law["family"] for law in mixed["laws"]] == ["eos", "burn", "unreacted"]
