@@ -50,12 +50,13 @@ class PullBack(NamedTuple):
         return self.peak - self.minimum
 
 
-def visar_velocity(time, velocity, delay: float):
+def visar_velocity(time, velocity, delay: float, start: float = 0.0):
     """The record that a VISAR shows of a surface velocity: (times, velocities).
 
     time       (n,) s, increasing
-    velocity   (n,) m/s, of the surface; it is at rest before the record begins
+    velocity   (n,) m/s, of the surface
     delay      of the interferometer, s
+    start      velocity of the surface before the record begins, m/s
 
     The velocities are means over the delay, at the times in its middle.
     """
@@ -69,8 +70,9 @@ def visar_velocity(time, velocity, delay: float):
         slope = (velocity[k + 1] - velocity[k]) / (time[k + 1] - time[k])
         return whole[k] + velocity[k] * step + 0.5 * slope * step**2
 
+    velocity = velocity - start
     whole = np.append(0.0, np.cumsum(np.diff(time) * (velocity[1:] + velocity[:-1]) / 2))
-    return time - delay / 2, (displacement(time) - displacement(time - delay)) / delay
+    return time - delay / 2, (displacement(time) - displacement(time - delay)) / delay + start
 
 
 def fringes(time, velocity, delay: float, wavelength: float = 532e-9):
@@ -102,31 +104,31 @@ def turning_points(values, least: float) -> list[int]:
     return points
 
 
-def pull_back(time, velocity, least: float = 0.02) -> PullBack | None:
+def pull_back(time, velocity, least: float = 0.02, start: float = 0.0) -> PullBack | None:
     """The first pull-back of a free-surface record as a `PullBack`, or None if there is none.
 
-    It is a drop from at least 0.8 of the highest velocity that is followed by a rebound.
+    It is a drop from at least 0.8 of the highest rise above `start` that is followed by a rebound.
 
     time       (n,) s
     velocity   (n,) m/s
-    least      smallest change that counts, as a fraction of the highest velocity, so that numerical ringing is ignored; the drop must be
-               twice as large
+    least      smallest change that counts, as a fraction of the largest change from `start`, so that numerical ringing is ignored; the
+               drop must be twice as large
+    start      velocity of the surface before the first wave, m/s
     """
-    velocity = np.asarray(velocity, dtype=float)
-    top = float(np.max(velocity)) if len(velocity) else 0.0
-    if top <= 0.0:
-        return None
-    points = turning_points(velocity, least * top)
+    # a body that moves as a whole shows the same waves as one at rest
+    velocity = np.asarray(velocity, dtype=float) - start
+    top, size = float(np.max(velocity, initial=0.0)), float(np.max(np.abs(velocity), initial=0.0))
+    points = turning_points(velocity, least * size)
     for n in range(0, len(points) - 1, 2):
         high, low = points[n], points[n + 1]
         drop = velocity[high] - velocity[low]
-        if velocity[high] < 0.8 * top or drop < 2 * least * top:
+        if velocity[high] < 0.8 * top or drop < 2 * least * size:
             continue
         # a flat top ends where the velocity last stood within a percent of it
         near = np.flatnonzero(velocity[: low + 1] >= velocity[high] - 0.01 * drop)
         last = points[n + 2] if n + 2 < len(points) else low + int(np.argmax(velocity[low:]))
-        return PullBack(plateau(time[: low + 1], velocity[: low + 1]), float(time[near[-1]]), float(velocity[low]), float(time[low]),
-                        float(velocity[last]), float(time[last]))
+        return PullBack(plateau(time[: low + 1], velocity[: low + 1]) + start, float(time[near[-1]]), float(velocity[low]) + start,
+                        float(time[low]), float(velocity[last]) + start, float(time[last]))
     return None
 
 
@@ -206,7 +208,7 @@ def _over_time(values, weight, shares):
     return np.interp(shares, (np.cumsum(ordered) - 0.5 * ordered) / np.sum(weight), values[order])
 
 
-def ringing_period(time, velocity, after: float, least: float = 0.01) -> float:
+def ringing_period(time, velocity, after: float, least: float = 0.01, start: float = 0.0) -> float:
     """Period in s with which a spalled layer rings: the mean time between successive minima from a time on. NaN without two minima.
 
     Minima are sharp, while a maximum is a flat top on which a small ripple decides where it is highest.
@@ -214,9 +216,10 @@ def ringing_period(time, velocity, after: float, least: float = 0.01) -> float:
     time       (n,) s
     velocity   (n,) m/s
     after      time of the first minimum, that of the pull-back, s
-    least      smallest change that counts, as a fraction of the highest velocity
+    least      smallest change that counts, as a fraction of the largest change from `start`
+    start      velocity of the surface before the first wave, m/s
     """
-    time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
+    time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float) - start
     tail = time >= after
     if tail.sum() < 3:
         return float("nan")

@@ -93,11 +93,12 @@ def _listed(names) -> str:
 
 def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
     """The numbers of one record of a region that broke at the time `opened` (s), or why there are none."""
-    if not np.max(record.velocity, initial=0.0) > NOISE * largest_value(run, "velocity"):
+    if not np.max(np.abs(record.velocity - record.start), initial=0.0) > NOISE * largest_value(run, "velocity"):
         return Reading(reason=f"no wave reached {record.source} before the end of the run", record=record)
-    found = pull_back(record.time, record.velocity)
+    found = pull_back(record.time, record.velocity, start=record.start)
     if found is None:
-        reason = f"the velocity at {record.source} shows no pull-back (a drop of at least 4 % of its peak and a rebound above 2 %)"
+        reason = (f"the velocity at {record.source} shows no pull-back (a drop of at least 4 % of its largest change and a rebound "
+                  "above 2 %)")
         return Reading(reason=reason, record=record)
     if found.rebound_time <= opened:
         reason = f"the pull-back at {record.source} came before the first void in '{record.region}' opened, so it is not a spall signal"
@@ -112,7 +113,7 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
     if window is not None and not np.isfinite(window.get("s", np.nan)):
         return Reading(reason=f"the impedance of the window '{record.window}' is not known", record=record, found=found)
     body = constants_of(run, record.region)
-    numbers = reading_of(record.time, record.velocity, found, body, window)
+    numbers = reading_of(record.time, record.velocity, found, body, window, record.start)
     if window and body:
         signal = body["rho0"] * body["c_bulk"] * found.drop
         left = 2.0 * numbers["spall_strength_acoustic"] / signal
@@ -179,16 +180,19 @@ def _missed(record: Record, found: PullBack) -> float:
     return float((record.velocity[k - 1] - record.velocity[k]) * after / before / found.drop)
 
 
-def reading_of(time, velocity, found: PullBack, constants: dict, window: dict | None = None) -> dict[str, float]:
-    """The numbers of a reading from a record, its pull-back and the constants of `constants_of` (of the body, and of its window)."""
+def reading_of(time, velocity, found: PullBack, constants: dict, window: dict | None = None, start: float = 0.0) -> dict[str, float]:
+    """The numbers of a reading from a record, its pull-back and the constants of `constants_of` (of the body, and of its window).
+
+    start is the velocity of the surface before the first wave, m/s.
+    """
     result = {"peak_velocity": found.peak, "pull_back": found.drop, "minimum_time": found.minimum_time}
-    period = ringing_period(time, velocity, found.minimum_time)
+    period = ringing_period(time, velocity, found.minimum_time, start=start)
     if np.isfinite(period):
         result["ringing_period"] = period
     if not constants:
         return result
     rho0, c_bulk, c_long = constants["rho0"], constants["c_bulk"], constants["c_long"]
-    result["spall_strength_acoustic"] = through_window(found.peak, found.minimum, rho0 * c_bulk, window)
+    result["spall_strength_acoustic"] = through_window(found.peak - start, found.minimum - start, rho0 * c_bulk, window)
     if c_long > c_bulk and not window:
         result["spall_strength_stepanov"] = spall_strength(found.drop, rho0, c_bulk, c_long)
     if np.isfinite(period):
@@ -197,12 +201,13 @@ def reading_of(time, velocity, found: PullBack, constants: dict, window: dict | 
             lost = kanel_correction(time, velocity, found, thickness, c_bulk, c_long)
             result["pull_back_lost"] = lost
             if lost <= LARGEST_LOSS * found.drop:
-                result["spall_strength_kanel"] = through_window(found.peak, found.minimum - lost, rho0 * c_bulk, window)
+                result["spall_strength_kanel"] = through_window(found.peak - start, found.minimum - start - lost, rho0 * c_bulk, window)
     return result
 
 
 def through_window(peak: float, minimum: float, impedance: float, window: dict | None = None) -> float:
-    """Spall strength (Pa) from the velocities at peak and minimum (m/s), the body's impedance (kg/m2/s) and the window's constants."""
+    """Spall strength (Pa) from the velocities at peak and minimum (m/s, relative to that before the first wave), the body's impedance
+    (kg/m2/s) and the window's constants."""
     held = 0.0
     for velocity in (peak, minimum) if window else ():
         held += window["rho0"] * (window["c_bulk"] + window["s"] * abs(velocity)) * velocity

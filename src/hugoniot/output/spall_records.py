@@ -22,7 +22,7 @@ class Record:
     """A velocity record as an interferometer sees it: velocity (m/s, outwards positive) over time (s).
 
     gauge   name of the gauge, "" for the snapshots' right face; kind SURFACE, WINDOW or ""; region whose end it is, "" if unknown;
-    window  the region behind the interface; source how it was recorded, in words
+    window  the region behind the interface; source how it was recorded, in words; start the velocity before the first wave, m/s
     """
 
     time: np.ndarray
@@ -32,6 +32,7 @@ class Record:
     region: str = ""
     window: str = ""
     source: str = ""
+    start: float = 0.0
 
 
 def hit_regions(setup) -> list[str]:
@@ -111,7 +112,8 @@ def records(run) -> list[Record]:
         if name is not None:
             time, velocity = run.gauge("velocity", name)
             leftward = places[0].endswith("left") if kind == SURFACE else places[1].endswith(":left")
-            found.append(Record(time, -velocity if leftward else velocity, name, kind, region, window, f"gauge '{name}'"))
+            outward = -velocity if leftward else velocity
+            found.append(Record(time, outward, name, kind, region, window, f"gauge '{name}'", first(outward)))
     return sorted(found, key=lambda r: (r.region not in hit, r.region in driving, at.get(r.gauge) == r.gauge, r.kind != SURFACE))
 
 
@@ -124,7 +126,7 @@ def surface_record(run, name: str | None = None) -> Record:
     seen = [record for record in records(run) if name in (None, record.gauge)]
     if name is not None and not seen:
         time, velocity = run.gauge("velocity", name)
-        return Record(time, velocity, name, "", source=f"gauge '{name}'")
+        return Record(time, velocity, name, "", source=f"gauge '{name}'", start=first(velocity))
     if seen:
         hit, driving = hit_regions(run.setup), explosives(run.setup)
         rank = [(record.region in hit, record.region in driving) for record in seen]
@@ -132,13 +134,20 @@ def surface_record(run, name: str | None = None) -> Record:
     rows = run.arrays("snapshots")
     if "axes" in run.setup or run.setup["boundaries"]["right"]["kind"] != "free" or "velocity_right" not in rows:
         return Record(np.empty(0), np.empty(0), source="nothing")
-    return Record(rows["time"], history(rows, "velocity_right", -1), region=run.setup["regions"][-1]["name"],
+    velocity = history(rows, "velocity_right", -1)
+    return Record(rows["time"], velocity, region=run.setup["regions"][-1]["name"], start=first(velocity),
                   source="the snapshots only; a gauge at 'free surface right' would record it more finely")
 
 
 def _moved_out(record: Record) -> bool:
-    """Whether more than round-off of its motion was outwards."""
-    return bool(np.max(record.velocity, initial=0.0) > OUTWARD * np.max(np.abs(record.velocity), initial=0.0))
+    """Whether more than round-off of the change of its motion was outwards."""
+    change = record.velocity - record.start
+    return bool(np.max(change, initial=0.0) > OUTWARD * np.max(np.abs(change), initial=0.0))
+
+
+def first(velocity) -> float:
+    """Velocity with which a record begins, m/s; zero if it is empty."""
+    return float(velocity[0]) if len(velocity) else 0.0
 
 
 def spalled_regions(run) -> dict[str, float]:

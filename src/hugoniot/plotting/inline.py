@@ -154,7 +154,7 @@ def picture_tasks(run) -> dict[str, Callable[[], str]]:
         if record in rows and len(rows["time"]):
             task(f"gauge_{record}", lambda ax, f=record: records.gauge(run, f, ax=ax), 7.4, 2.6, (0.7, 0.5, 5.4, 2.0))
     seen = surface_record(run)
-    if len(seen.time) and seen.velocity.max() > 0.0:
+    if (seen.velocity != seen.start).any():
         task("free_surface", lambda ax: records.free_surface(run, ax=ax), 7.4, 3.0, (0.7, 0.5, 6.5, 2.4))
     return tasks | _budget_tasks(run)
 

@@ -105,7 +105,7 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
     unit, fu, _ = field_scale("velocity", velocity)
     if delay > 0.0:
         ax.plot(time * ft, velocity * fu, color=QUIET, linewidth=0.8)
-        time, velocity = visar_velocity(time, velocity, delay)
+        time, velocity = visar_velocity(time, velocity, delay, record.start)
     ax.plot(time * ft, velocity * fu, color=COLOURS[0])
     _time_axis(ax, time, unit_t, ft)
     # of a surface or window on the left the record is minus the velocity along the axis, which the table of the gauges gives
