@@ -118,7 +118,8 @@ def _region_record(region, material) -> dict:
     """A region with the state in which it starts, where that is one and not its material's reference state."""
     record = plain(region)
     given = [getattr(region, name) for name in ("density", "pressure", "temperature", "energy")]
-    if material.burn is not None or region.profile is not None or all(value is None for value in given):
+    varies = region.profile is not None and any(name != "velocity" for name, _ in region.profile.fields)
+    if material.burn is not None or varies or all(value is None for value in given):
         return record
     return {**record, "starts": _state(material, *initial_state(material.eos, *given))}
 

@@ -22,12 +22,13 @@ from hugoniot.materials.initial_state import energy_at_pressure
 from hugoniot.materials.material import Material
 from hugoniot.output.compare import compare
 from hugoniot.output.run_numbers import gauge_rows, highest, is_lower_bound, spall_numbers
+from hugoniot.output.setup_record import setup_record
 from hugoniot.output.spall_reading import constants_of, read_record, reading_of, spall_reading, through_window
 from hugoniot.output.spall_records import hit_regions, records, spalled_regions, surface_record
 from hugoniot.plotting.records import free_surface as free_surface_velocity
 from hugoniot.problem import catalogue
 from hugoniot.problem.deck import read_deck_text
-from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Pulse, Region
+from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Profile, Pulse, Region
 from hugoniot.report import write_report
 from hugoniot.theory.hugoniot import shock
 from hugoniot.theory.impedance import free_surface, match
@@ -115,6 +116,12 @@ def test_a_heated_body_is_read_with_the_constants_of_its_hot_state(ran):
     assert (found["rho0"], found["c_bulk"]) == (rho, pytest.approx(c, rel=1e-12))
     assert 1.2 * rho * c < 2700.0 * 5200.0
     assert spall_reading(ran("heated")).numbers["spall_strength_acoustic"] == pytest.approx(STRENGTH, rel=0.05)
+
+
+def test_a_heated_body_whose_velocity_varies_is_read_with_the_constants_of_its_hot_state(ran):
+    still = Profile((0.0, 4e-3), (("velocity", (0.0, 0.0)),))
+    record = setup_record(started(ran.problems["heated"], profile=still), {})
+    assert record["regions"][0]["starts"] == ran("heated").setup["regions"][0]["starts"]
 
 
 def test_the_stress_in_a_window_is_that_of_its_own_hugoniot_whatever_its_form(ran):
