@@ -1,15 +1,18 @@
 """What a deck may say but seldom means: forgotten units, jumps of the zone mass, speeds beyond the data or beyond the laws of motion."""
 
+import contextlib
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hugoniot.laws.eos.contract import is_condensed, reference_state, sound_speed_squared
+from hugoniot.errors import HugoniotError
+from hugoniot.laws.eos.contract import is_condensed, pressure, reference_state, sound_speed_squared
+from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.plausible import unlikely
 from hugoniot.materials.validity import beyond, impact, range_of
 from hugoniot.problem.model import Problem, Region
-from hugoniot.problem.profiles import LIGHT
+from hugoniot.problem.profiles import LIGHT, values_at
 from hugoniot.units import format_si
 
 if TYPE_CHECKING:
@@ -29,36 +32,65 @@ NOISE = 1e-4             # of rho c^2: a tension that no interface opens under
 def advice(problem: Problem) -> list[str]:
     """Warnings of a problem that can be run."""
     found = unlikely_constants(problem)
-    for a, b in zip(problem.regions, problem.regions[1:]):
+    starts = [start_at_ends(problem, region) for region in problem.regions]
+    for k, (a, b) in enumerate(zip(problem.regions, problem.regions[1:])):
         if a.end != b.start:
             continue
         masses = []
-        for region, last in ((a, True), (b, False)):
+        for region, (rho, _), last in ((a, starts[k][1], True), (b, starts[k + 1][0], False)):
             q, n = region.ratio, region.zones
             first = (region.end - region.start) * ((1.0 - q) / (1.0 - q**n) if q != 1.0 else 1.0 / n)
-            rho = region.density or reference_state(problem.materials[region.material].eos)[0]
             masses.append(rho * first * (q ** (n - 1) if last else 1.0))
         jump = max(masses) / min(masses)
         if jump > 10.0:
             found.append(f"the zone mass jumps by a factor of {jump:.3g} between '{a.name}' and '{b.name}': expect errors there "
                          "when waves cross; choose zone_size or ratio so that neighbouring zones have similar masses")
     if problem.solver.kind == "lagrange1d":
-        found += _undershoots(problem)
+        found += _undershoots(problem, starts)
         found += _long_steps(problem.solver.courant, LONGEST_STEP[problem.solver.integrator])
     return found + advice_on_speeds(problem)
 
 
-def _undershoots(problem: Problem) -> list[str]:
+def start_at_ends(problem: Problem, region: Region) -> tuple[tuple[float, float], tuple[float, float]]:
+    """(density in kg/m3, pressure in Pa) in which a region starts at its left and at its right end.
+
+    Of explosives, and of states that a law does not have, the values given in the region, or the reference density and no pressure.
+    """
+    material, names = problem.materials[region.material], ("density", "pressure", "temperature", "energy")
+    given = [np.full(2, np.nan if (value := getattr(region, name)) is None else value) for name in names]
+    for name, _ in region.profile.fields if region.profile is not None else ():
+        if name in names:
+            given[names.index(name)] = values_at(region.profile, name, np.array((region.start, region.end)))
+    left, right = ([None if np.isnan(value) else float(value) for value in values] for values in np.transpose(given))
+    return _density_and_pressure(material, left), _density_and_pressure(material, right)
+
+
+def _density_and_pressure(material, given: list[float | None]) -> tuple[float, float]:
+    """The same of one state from density, pressure, temperature and energy, None where not given."""
+    if material.burn is None:
+        with contextlib.suppress(HugoniotError, ArithmeticError, ValueError):
+            rho, e = initial_state(material.eos, *given)
+            return float(rho), float(pressure(rho, e, material.eos))
+    return given[0] or float(reference_state(material.eos)[0]), given[1] or 0.0
+
+
+def _undershoots(problem: Problem, starts: list) -> list[str]:
     """Condensed regions that start beside so much lower a pressure that their release undershoots into tension."""
-    found, last = [], len(problem.regions) - 1
-    for k, region in enumerate(problem.regions):
-        eos, high = problem.materials[region.material].eos, region.pressure
-        if high is None or eos is None or not is_condensed(eos):
+    found, regions, last = [], problem.regions, len(problem.regions) - 1
+    for k, region in enumerate(regions):
+        eos = problem.materials[region.material].eos
+        if eos is None or not is_condensed(eos):
             continue
-        beside = [problem.regions[i].pressure for i in (k - 1, k + 1) if 0 <= i <= last]
-        beside += [0.0 for end, at in ((problem.left, 0), (problem.right, last)) if at == k and end.kind == "free"]
-        low = min((p for p in beside if p is not None), default=high)
         rho, e = reference_state(eos)
+        drops = []
+        for side, other, end in ((0, k - 1, problem.left), (1, k + 1, problem.right)):
+            high = starts[k][side][1]
+            if 0 <= other <= last:
+                touches = regions[min(k, other)].end == regions[max(k, other)].start
+                drops.append((high, starts[other][1 - side][1] if touches else 0.0))
+            elif end.kind == "free":
+                drops.append((high, 0.0))
+        high, low = max(drops, key=lambda drop: UNDERSHOOT * (drop[0] - drop[1]) - drop[1], default=(0.0, 0.0))
         tension = UNDERSHOOT * (high - low) - low
         if tension > NOISE * rho * sound_speed_squared(rho, e, eos):
             found.append(f"'{region.name}' starts at {format_si(high, 'Pa')} beside {format_si(low, 'Pa')}: its sudden release undershoots "

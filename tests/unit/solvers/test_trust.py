@@ -13,7 +13,7 @@ from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 from hugoniot.materials.material import Material
 from hugoniot.output.run import read_post_mortem
 from hugoniot.problem.advice import advice
-from hugoniot.problem.model import Boundary, Interface, Problem, Pulse, Region
+from hugoniot.problem.model import Boundary, Interface, Problem, Profile, Pulse, Region
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import H, Z
@@ -239,6 +239,29 @@ def test_a_sudden_release_undershoots_as_a_chain_of_zones_does_and_the_deck_says
     assert len(said) == 1 and "1 MPa beside 0 Pa" in said[0] and "400 kPa" in said[0]
     gas = dataclasses.replace(problem, materials={"liquid": Material("liquid", IdealGas(1.4))})
     assert not [text for text in advice(gas) if "undershoot" in text]
+
+
+@pytest.mark.parametrize("beside", ["free end", "gap", "the reference state"])
+@pytest.mark.parametrize("given", ["pressure", "density and energy", "profile"])
+def test_a_sudden_release_is_foretold_however_the_state_is_given_and_whatever_lies_beside_it(given, beside):
+    """An ideal liquid with p = (gamma - 1) rho e - gamma p_inf: 100 MPa at 1000 kg/m3 is e = (1e8 + 4.4 * 6e8)/3400, the same state."""
+    state = {"pressure": {"pressure": 1e8}, "density and energy": {"density": 1000.0, "energy": (1e8 + 4.4 * 6e8) / 3400.0},
+             "profile": {"profile": Profile((0.0, 1.0), (("pressure", (1e8, 1e8)),))}}[given]
+    start = {"free end": 9.0, "gap": 1.1, "the reference state": 1.0}[beside]
+    regions = (Region("liquid", "liquid", 0.0, 1.0, 60, **state), Region("other", "liquid", start, start + 1.0, 60))
+    ends = {"free end": (Boundary("fixed"), Boundary("free"))}.get(beside, (Boundary("fixed"), Boundary("fixed")))
+    problem = Problem("release", "planar", 3e-4, regions[:1] if beside == "free end" else regions,
+                      {"liquid": Material("liquid", StiffenedGas(4.4, 6e8, 1000.0))}, *ends)
+    said = [text for text in advice(problem) if "undershoot" in text]
+    assert len(said) == 1 and "'liquid' starts at 100 MPa beside 0 Pa" in said[0] and "40 MPa" in said[0]
+
+
+def test_the_jump_of_the_zone_mass_is_that_of_the_states_in_which_the_regions_start():
+    """A gas at 300 K has the density p/(R T): at 10 MPa a hundred times that at 100 kPa, with zones of the same width."""
+    gas = Material("gas", IdealGas(1.4, specific_heat=717.5, rho0=1.2))
+    regions = tuple(Region(f"{p:g}", "gas", k, k + 1.0, 50, pressure=p, temperature=300.0) for k, p in enumerate((1e7, 1e5)))
+    said = [text for text in advice(Problem("tube", "planar", 1e-4, regions, {"gas": gas})) if "zone mass" in text]
+    assert len(said) == 1 and "factor of 100 " in said[0]
 
 
 @pytest.mark.parametrize("energy", [0.05, 1e-4])
