@@ -8,6 +8,7 @@ import numpy as np
 
 from hugoniot.problem.plane.contact import may_meet
 from hugoniot.problem.plane.model import velocity_at
+from hugoniot.problem.profiles import end_velocities
 
 START_UP = 12         # zones in which it forms
 ALONG = 1e-9          # of its speed: what moves along a wall is not thrown against it
@@ -32,7 +33,7 @@ def _of_line(problem) -> np.ndarray:
 
 def _starts(region, neighbour, end) -> bool:
     """Whether a shock may start at one end of a region, where a neighbour is, or the end of all."""
-    return neighbour is not None or end.kind in DRIVEN or (end.kind == "fixed" and bool(np.any(region.velocity)))
+    return neighbour is not None or end.kind in DRIVEN or (end.kind == "fixed" and any(end_velocities(region)))
 
 
 def _of_blocks(problem) -> np.ndarray:

@@ -19,6 +19,7 @@ from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.reach import reach
+from hugoniot.problem.profiles import end_velocities
 
 _FAMILIES = {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE, "viscosity": VISCOSITY}
 
@@ -115,8 +116,12 @@ def _state(material, rho, e) -> dict[str, float]:
 
 
 def _region_record(region, material) -> dict:
-    """A region with the state in which it starts, where that is one and not its material's reference state."""
+    """A region with the velocities at its ends where they follow a profile, and the state in which it starts, where that is one and not
+    its material's reference state."""
     record = plain(region)
+    if region.profile is not None and "velocity" in dict(region.profile.fields):
+        left, right = end_velocities(region)
+        record["velocity"] = left if left == right else [left, right]
     given = [getattr(region, name) for name in ("density", "pressure", "temperature", "energy")]
     varies = region.profile is not None and any(name != "velocity" for name, _ in region.profile.fields)
     if material.burn is not None or varies or all(value is None for value in given):

@@ -12,7 +12,7 @@ from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.plausible import unlikely
 from hugoniot.materials.validity import beyond, impact, range_of
 from hugoniot.problem.model import Problem, Region
-from hugoniot.problem.profiles import LIGHT, values_at
+from hugoniot.problem.profiles import LIGHT, end_velocities, values_at
 from hugoniot.units import format_si
 
 if TYPE_CHECKING:
@@ -102,7 +102,7 @@ def advice_on_speeds(problem: Problem) -> list[str]:
     """Warnings of velocities beyond the data of the materials, stated or estimated, and beyond Newton's laws."""
     found, met = [], _driven(problem)
     for a, b in zip(problem.regions, problem.regions[1:]):
-        closing = _end_speed(a, 1) - _end_speed(b, 0)
+        closing = end_velocities(a)[1] - end_velocities(b)[0]
         names = a.material, b.material
         if closing <= min(problem.materials[name].valid_up_to or SLOW for name in names):      # a shock's particle velocity is part of it
             continue
@@ -174,7 +174,7 @@ def unlikely_constants(problem: "Problem | Problem2D") -> list[str]:
 
 def _speeds(problem: Problem) -> dict[str, float]:
     """Largest speed of every region and driven end, m/s, by what a warning calls it."""
-    speeds = {f"region '{region.name}'": max(abs(_end_speed(region, 0)), abs(_end_speed(region, 1))) for region in problem.regions}
+    speeds = {f"region '{region.name}'": max(map(abs, end_velocities(region))) for region in problem.regions}
     for side, boundary in (("left", problem.left), ("right", problem.right)):
         if boundary.kind == "velocity":
             speeds[f"the {side} boundary"] = max(abs(boundary.pulse.amplitude), *map(abs, boundary.pulse.values), 0.0)
@@ -191,7 +191,7 @@ def _driven(problem: Problem) -> dict[str, float]:
     """Particle velocity to which walls and driven ends drive the materials beside them, m/s."""
     met: dict[str, float] = {}
     for boundary, region, side in ((problem.left, problem.regions[0], 0), (problem.right, problem.regions[-1], 1)):
-        inward, speed = 1.0 - 2.0 * side, _end_speed(region, side)
+        inward, speed = 1.0 - 2.0 * side, end_velocities(region)[side]
         given = {"fixed": (0.0,), "velocity": (boundary.pulse.amplitude, *boundary.pulse.values) if boundary.pulse else ()}
         up = max((inward * (value - speed) for value in given.get(boundary.kind, ())), default=0.0)
         met[region.material] = max(met.get(region.material, 0.0), up)
@@ -210,7 +210,3 @@ def _beyond_estimate(problem: "Problem | Problem2D", met: dict[str, float]) -> l
                          f"(a specific energy of {0.5e-6 * up**2:.3g} MJ/kg): "
                          f"{beyond(end)}, and no range of its data is stated (valid_up_to)")
     return found
-
-
-def _end_speed(region: Region, side: int) -> float:
-    return region.velocity[side] if isinstance(region.velocity, tuple) else region.velocity

@@ -19,7 +19,7 @@ from hugoniot.errors import DeckError
 from hugoniot.files import csv_rows, read_regular
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.problem.arithmetic import EXAMPLE, FUNCTIONS, Expression, Number, Trouble
-from hugoniot.problem.model import Profile
+from hugoniot.problem.model import Profile, Region
 from hugoniot.problem.schema import Table
 from hugoniot.units import UnitError, parse, parse_all, powers_of
 
@@ -66,6 +66,20 @@ def values_at(profile: Profile, field: str, places: np.ndarray) -> np.ndarray:
             raise Trouble(f"the profile of {field} has the unit {number.unit()}", f"expected {UNITS[field]}")
         found[k] = number.value
     return found
+
+
+def velocities_at(region: Region, places: np.ndarray) -> np.ndarray:
+    """Velocities of a region at t = 0 at positions (m), m/s: constant, linear between its ends, or from its profile."""
+    if region.profile is not None and "velocity" in dict(region.profile.fields):
+        return values_at(region.profile, "velocity", places)
+    start, end = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
+    return start + (end - start) * ((places - region.start) / (region.end - region.start))
+
+
+def end_velocities(region: Region) -> tuple[float, float]:
+    """The same at the left and right end of a region."""
+    left, right = velocities_at(region, np.array((region.start, region.end))).tolist()
+    return left, right
 
 
 def _named(name: str, x: float) -> Number:

@@ -7,6 +7,8 @@ import pytest
 
 from hugoniot.cli.main import main
 from hugoniot.materials import library, validity
+from hugoniot.output.setup_record import setup_record
+from hugoniot.output.spall_records import hit_regions
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.theory.impedance import match
 
@@ -48,6 +50,15 @@ def test_check_warns_of_nonsense(tmp_path, capsys, law, velocity, words, solver)
         assert not ended.value.code
         warnings = json.loads(told)["warnings"] if more else [line for line in told.splitlines() if line.startswith("warning: ")]
         assert any(words in text for text in warnings) if words else not warnings
+
+
+def test_velocities_of_a_profile_count_as_those_of_the_region_do():
+    """A constant velocity may be written either way: the same warnings, and in the set-up of the run the same impact."""
+    plain, profile = "velocity = 40e3", '[region.profile]\nvelocity = "40 km/s + 0 m/s * x / 1 m"'
+    decks = [read_deck_text(FAST.format(velocity="40e3").replace(plain, words) + SOLID, "deck.toml") for words in (plain, profile)]
+    assert any("ionised" in text for text in decks[0].warnings) and decks[0].warnings == decks[1].warnings
+    flying, struck = setup_record(decks[1].problem, {})["regions"]
+    assert flying["velocity"] == 40e3 and hit_regions({"regions": [flying, struck]}) == ["b"]
 
 
 @pytest.mark.parametrize("law, end, words", [(SOLID, 15e3, "15000 m/s, above which the atoms are ionised"),

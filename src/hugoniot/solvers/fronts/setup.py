@@ -141,14 +141,6 @@ def start_states(region, material, places: np.ndarray) -> tuple[np.ndarray, np.n
     return np.broadcast_to(rho, len(places)), np.broadcast_to(e, len(places))
 
 
-def start_velocities(region, places: np.ndarray) -> np.ndarray:
-    """Velocity at t = 0 at some places: constant, linear, or from a profile."""
-    if region.profile is not None and "velocity" in dict(region.profile.fields):
-        return values_at(region.profile, "velocity", places)
-    ends = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
-    return ends[0] + (ends[1] - ends[0]) * (places - region.start) / (region.end - region.start)
-
-
 def zone_faces(problem: Problem) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(left, right) faces of every zone at t = 0 and the region it belongs to."""
     left, right, owner = [], [], []

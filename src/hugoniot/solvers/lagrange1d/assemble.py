@@ -21,7 +21,7 @@ from hugoniot.materials.initial_state import initial_state
 from hugoniot.mesh.line import GEOMETRY, graded_nodes, volume
 from hugoniot.problem.explosives import crushing_density
 from hugoniot.problem.model import Boundary, Problem, Pulse
-from hugoniot.problem.profiles import values_at
+from hugoniot.problem.profiles import values_at, velocities_at
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.bodies import welded
@@ -71,7 +71,7 @@ def laws_of_regions(problem: Problem, starts) -> tuple[list[Laws], list[int]]:
 def _speed_scale(problem: Problem, starts) -> float:
     """Largest speed of a problem at its start, sound, body or boundary, m/s."""
     speeds = [float(np.max(start[3])) for start in starts]
-    speeds += [float(np.max(np.abs(start_velocities(region, start[0])))) for region, start in zip(problem.regions, starts)]
+    speeds += [float(np.max(np.abs(velocities_at(region, start[0])))) for region, start in zip(problem.regions, starts)]
     for boundary in (problem.left, problem.right):
         if boundary.kind == "velocity":
             speeds += [abs(boundary.pulse.amplitude), *(abs(u) for u in boundary.pulse.values)]
@@ -92,14 +92,6 @@ def longitudinal_speed(material, rho, e):
 def start_compaction(eos, rho, e) -> float:
     """The history variable of material that was loaded to its initial state; 0 for laws without memory."""
     return float(compacted(0.0, rho, e, pressure(rho, e, eos), eos))
-
-
-def start_velocities(region, place):
-    """Velocities of the nodes of a region at t = 0, m/s."""
-    if region.profile is not None and "velocity" in dict(region.profile.fields):
-        return values_at(region.profile, "velocity", place)
-    speed = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
-    return speed[0] + (speed[1] - speed[0]) * ((place - place[0]) / (place[-1] - place[0]))
 
 
 def start_region(problem, region):
@@ -172,7 +164,7 @@ def assemble(problem: Problem, starts):
             zones[Z.compaction, a:b] = [start_compaction(material.eos, *state) for state in zip(*map(np.atleast_1d, states))] or 0.0
             zones[Z.v, a:b] = 1.0 / rho
             zones[Z.width, a:b] = rho * np.diff(place)
-            u, first = start_velocities(region, place), a + k
+            u, first = velocities_at(region, place), a + k
             nodes[H.r, first + 1:b + k + 1], nodes[H.u, first + 1:b + k + 1] = place[1:], u[1:]
             if i == body[0]:
                 nodes[H.r, first], nodes[H.u, first] = place[0], u[0]

@@ -9,6 +9,7 @@ import numpy as np
 
 from hugoniot.errors import HugoniotError, UnphysicalState
 from hugoniot.problem.model import Problem
+from hugoniot.problem.profiles import velocities_at
 from hugoniot.solvers.fronts import setup
 from hugoniot.solvers.fronts.cells import checkpoint, march, start, tables
 from hugoniot.solvers.fronts.cells.changes import Changes
@@ -69,7 +70,7 @@ class Cells(Reading):
         if share not in (0.0, 1.0) or left < 0 or right == len(regions) or regions[left].end < regions[right].start:
             return False
         face = np.array([regions[right].start])
-        return setup.start_velocities(regions[left], face)[0] != setup.start_velocities(regions[right], face)[0]
+        return velocities_at(regions[left], face)[0] != velocities_at(regions[right], face)[0]
 
     @property
     def time(self) -> float:
@@ -148,7 +149,7 @@ class Cells(Reading):
         for point in self.problem.lighting:
             if point.time == self.time:
                 region = next(r for r in self.problem.regions if r.start <= point.position <= r.end)
-                u = setup.start_velocities(region, np.array([point.position]))[0]
+                u = velocities_at(region, np.array([point.position]))[0]
                 self.changes.light(self.mesh, point.position + float(u) * self.time, self.time)
 
     def _extremes_so_far(self) -> np.ndarray:

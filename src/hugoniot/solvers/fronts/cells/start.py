@@ -5,6 +5,7 @@ import numpy as np
 from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.riemann.branch import Branch, State, elastic, has_memory, stress, wave_speed_squared
 from hugoniot.problem.model import Boundary, Problem
+from hugoniot.problem.profiles import velocities_at
 from hugoniot.solvers.fronts import setup
 from hugoniot.solvers.fronts.cells import pores
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
@@ -28,7 +29,7 @@ def first_mesh(problem: Problem, spacing: Spacing, variables: int) -> Mesh:
             region.append(EMPTY)
             marked.append(True)
         faces = np.linspace(r.start, r.end, cells[k] + 1)[1:]
-        if spacing.d > 1 and (r.start > 0.0 or setup.start_velocities(r, faces[:1])[0] < 0.0):      # a wave will leave the axis or origin
+        if spacing.d > 1 and (r.start > 0.0 or velocities_at(r, faces[:1])[0] < 0.0):      # a wave will leave the axis or origin
             faces = _graded(r.start, r.end, cells[k], spacing)
         x += faces.tolist()
         region += [k] * len(faces)
@@ -64,7 +65,7 @@ def _fill(mesh: Mesh, cells, region, material) -> None:
     a, h = mesh.x[cells], mesh.width[cells]
     for node, weight in zip(*_GAUSS):
         x = a + node * h
-        (rho, e), u = setup.start_states(region, material, x), setup.start_velocities(region, x)
+        (rho, e), u = setup.start_states(region, material, x), velocities_at(region, x)
         mass = weight * h * x ** (mesh.d - 1) * rho
         mesh.q[cells, :3] += np.column_stack([mass, mass * u, mass * (e + 0.5 * u * u)])
         if mesh.q.shape[1] > 3 and has_memory(material.eos):
