@@ -243,7 +243,7 @@ def _extrapolations(problem: Problem, solver: Solver, warned: Sequence[str]) -> 
         foretold = any(f"data of '{name}'" in text or f"material '{name}' is driven to" in text for text in warned)
         if speed > end.up and not foretold:
             reach = f", but its data reach only {end.up:.4g} m/s" if end.stated else f": {beyond(end)}, and no range of its data is stated"
-            found.append(f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s{reach}")
+            found.append(f"material '{name}' was compressed as strongly as by a shock with a particle velocity of {speed:.4g} m/s{reach}")
     return found
 
 

@@ -1,18 +1,16 @@
 """What a deck may say but seldom means: forgotten units, jumps of the zone mass, speeds beyond the data or beyond the laws of motion."""
 
-import contextlib
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hugoniot.errors import HugoniotError
-from hugoniot.laws.eos.contract import is_condensed, pressure, reference_state, sound_speed_squared
-from hugoniot.materials.initial_state import initial_state
+from hugoniot.laws.eos.contract import is_condensed, reference_state, sound_speed_squared
 from hugoniot.materials.plausible import unlikely
 from hugoniot.materials.validity import beyond, impact, range_of
-from hugoniot.problem.model import Problem, Region
-from hugoniot.problem.profiles import LIGHT, end_velocities, values_at
+from hugoniot.problem.model import Problem
+from hugoniot.problem.profiles import LIGHT, end_velocities
+from hugoniot.problem.starting import start_at_ends
 from hugoniot.units import format_si
 
 if TYPE_CHECKING:
@@ -49,29 +47,6 @@ def advice(problem: Problem) -> list[str]:
         found += _undershoots(problem, starts)
         found += _long_steps(problem.solver.courant, LONGEST_STEP[problem.solver.integrator])
     return found + advice_on_speeds(problem)
-
-
-def start_at_ends(problem: Problem, region: Region) -> tuple[tuple[float, float], tuple[float, float]]:
-    """(density in kg/m3, pressure in Pa) in which a region starts at its left and at its right end.
-
-    Of explosives, and of states that a law does not have, the values given in the region, or the reference density and no pressure.
-    """
-    material, names = problem.materials[region.material], ("density", "pressure", "temperature", "energy")
-    given = [np.full(2, np.nan if (value := getattr(region, name)) is None else value) for name in names]
-    for name, _ in region.profile.fields if region.profile is not None else ():
-        if name in names:
-            given[names.index(name)] = values_at(region.profile, name, np.array((region.start, region.end)))
-    left, right = ([None if np.isnan(value) else float(value) for value in values] for values in np.transpose(given))
-    return _density_and_pressure(material, left), _density_and_pressure(material, right)
-
-
-def _density_and_pressure(material, given: list[float | None]) -> tuple[float, float]:
-    """The same of one state from density, pressure, temperature and energy, None where not given."""
-    if material.burn is None:
-        with contextlib.suppress(HugoniotError, ArithmeticError, ValueError):
-            rho, e = initial_state(material.eos, *given)
-            return float(rho), float(pressure(rho, e, material.eos))
-    return given[0] or float(reference_state(material.eos)[0]), given[1] or 0.0
 
 
 def _undershoots(problem: Problem, starts: list) -> list[str]:

@@ -264,6 +264,18 @@ def test_the_jump_of_the_zone_mass_is_that_of_the_states_in_which_the_regions_st
     assert len(said) == 1 and "factor of 100 " in said[0]
 
 
+@pytest.mark.parametrize("pressure", [1e5, 1e8])
+def test_the_speed_to_which_a_gas_is_shocked_is_counted_from_its_initial_state(pressure):
+    """Gas thrown against a wall at 2 km/s is shocked to that particle velocity, whatever its pressure; a driver gas that expands is not."""
+    helium = Material("helium", IdealGas(5.0 / 3.0, 3116.0, 0.1636))
+    region = Region("gas", "helium", 0.0, 0.1, 60, velocity=-2000.0, pressure=pressure, temperature=300.0)
+    problem = Problem("wall", "planar", 3e-5, (region,), {"helium": helium}, Boundary("fixed"), Boundary("fixed"))
+    thrown, _ = build.run(problem)
+    assert thrown.largest_velocity_jump()["helium"] == pytest.approx(2000.0, rel=0.1)      # wall heating and viscosity
+    driver, _ = build.run(dataclasses.replace(problem, regions=(dataclasses.replace(region, velocity=0.0),), right=Boundary("free")))
+    assert driver.largest_velocity_jump()["helium"] < 1.0
+
+
 @pytest.mark.parametrize("energy", [0.05, 1e-4])
 def test_a_cavity_closes_on_the_origin_and_stays_closed(energy):
     """An imploding shell of gas: no node passes the origin, the motion that ends there is heat, and the budget stays closed."""
