@@ -212,3 +212,13 @@ def test_the_plateau_behind_a_fan_is_decided_by_the_zones_in_which_it_starts():
     """Three times finer at the contact, with as many zones and the same size at the end of the fan: below 0.5 %, a third of the miss."""
     even, fine = liquid_plateau_miss(1.0), liquid_plateau_miss(3.0)
     assert even < 0.02 and fine < 0.005 and fine < even / 3.0
+
+
+def test_nothing_arrives_at_a_gauge_in_a_body_that_rests_under_pressure(tmp_path):
+    """Its velocities are the round-off of its stress: no wave, whatever their ratio to the largest of them."""
+    region = Region("body", "m", 0.0, 1e-3, 50, density=1.2 * LAWS["copper"].rho0, energy=0.0)
+    done = run(Problem("rest", "planar", 2e-7, (region,), {"m": Material("m", LAWS["copper"])}, Boundary("fixed"), Boundary("fixed"),
+                       gauges=(Gauge("inside", 3e-4),), output=OutputOptions(report=False)), tmp_path / "run")
+    assert np.abs(done.gauge("velocity", "inside")[1]).max() > 0.0
+    row, = gauge_rows(done)
+    assert np.isnan(row["arrival"]) and row["peak_velocity"] == row["last_velocity"] == 0.0

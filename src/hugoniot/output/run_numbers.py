@@ -50,17 +50,18 @@ def gauge_rows(run: Run) -> list[dict]:
     word = "pressure" if plane else "stress"
     largest = {name: largest_value(run, name) for name in ("velocity", word)}
     noise = NOISE * largest["velocity"]
-    pushed = _speed_of_pressure(table)
+    # of a body at rest under pressure all velocities are round-off: that of its stress, which is rho c times a velocity
+    moving = max(largest["velocity"], 0.1 * largest_value(run, "sound_speed"))
     names = run.gauge_names()
     side_of = sides(run.setup["gauges"])
     kinds = {gauge["name"]: gauge["kind"] for gauge in run.setup["gauges"]} if plane else {}
     for k, name in enumerate(names):
-        if name in side_of and _same(table["velocity"], k, names.index(side_of[name]), largest["velocity"]):
+        if name in side_of and _same(table["velocity"], k, names.index(side_of[name]), moving):
             continue     # the interface gauge has it
         velocity, change = _velocity(table, k, kinds.get(name, ""))
         end = max(recorded(velocity), 1)
         time = table["time"][:end]
-        velocity, change = (without_round_off(values[:end], max(largest["velocity"], pushed)) for values in (velocity, change))
+        velocity, change = (without_round_off(values[:end], moving) for values in (velocity, change))
         row: dict = {"gauge": name}
         moved = bool(np.max(np.abs(change - change[0])) > noise)
         row["arrival"], row["second_arrival"] = arrivals(time, change) if moved else (float("nan"), float("nan"))
@@ -113,12 +114,6 @@ def _velocity(table: dict, k: int, kind: str) -> tuple[np.ndarray, np.ndarray]:
         return table[name][:, k], table[name][:, k]
     found, other = (table[name][:, k] for name in ("velocity_x", "velocity_y"))
     return np.hypot(found, other), np.hypot(found - found[0], other - other[0])
-
-
-def _speed_of_pressure(table: dict) -> float:
-    """Speed that the pressures at the gauges could give their material, m/s: what is round-off beside it is that of a balance of forces."""
-    sizes = [np.fmax.reduce(np.abs(table[name]), axis=None, initial=0.0) for name in ("pressure", "density") if name in table]
-    return float(np.sqrt(sizes[0] / sizes[1])) if len(sizes) == 2 and sizes[1] > 0.0 else 0.0
 
 
 def recorded(values: np.ndarray) -> int:
