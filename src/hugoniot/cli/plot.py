@@ -23,7 +23,8 @@ def command(
         help="Picture, one of those above (default: xt, or map in two dimensions).")] = "",
     field: Annotated[str, typer.Argument(help="Field to show in xt, map, gauge, profile or peaks, such as pressure (hugoniot list "
         "fields).")] = "",
-    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge to show in gauge, pi_plane or free_surface.")] = None,
+    gauge: Annotated[list[str] | None, typer.Option("--gauge", help="Gauge to show in gauge, pi_plane or free_surface; in the first two "
+        "it may be given several times.")] = None,
     time: Annotated[str | None, typer.Option("--time", help="Time of map or profile, such as \"1.2 us\" (default: the last "
         "snapshot).")] = None,
     delay: Annotated[str | None, typer.Option("--delay", help="In free_surface: show the record of a VISAR with this delay, such as "
@@ -140,11 +141,15 @@ def drawable(path: Path, command: str, option: str) -> None:
                                f"end its name with {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]}")
 
 
-def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: str | None) -> dict[str, Any]:
+def _options(kind: str, field: str, gauge: list[str] | None, time: str | None, delay: str | None) -> dict[str, Any]:
     """The options of one picture; an option that it does not have is an error."""
-    asked = "name" if kind == "free_surface" else "names"
+    one = kind == "free_surface"
+    if one and gauge and len(gauge) > 1:
+        raise DeckError.single("plot", None, "--gauge", f"{len(gauge)} gauges are given, and the picture 'free_surface' shows one",
+                               "use the picture 'gauge velocity'")
     wanted: list[tuple[str, Any, tuple[str, ...], str]] = [
-        ("field", field, WITH_FIELD, "field"), ("--gauge", gauge, ("gauge", "pi_plane", "free_surface"), asked),
+        ("field", field, WITH_FIELD, "field"),
+        ("--gauge", gauge[0] if one and gauge else gauge, ("gauge", "pi_plane", "free_surface"), "name" if one else "names"),
         ("--time", time, ("profile", "map"), "time"), ("--delay", delay, ("free_surface",), "delay")]
     options: dict[str, Any] = {}
     for shown, value, kinds, name in wanted:

@@ -50,7 +50,8 @@ def gauge(run, field: str = "", names=None, times=None, limits=None, ax=None):
     values = rows[field][:, columns]
     unit, factor, words = field_scale(field, values)
     unit_t, ft = time_scale(rows["time"][-1] if len(rows["time"]) else 1.0)
-    for colour, column in zip(COLOURS, columns):
+    colours = [COLOURS[k % len(COLOURS)] for k in range(len(columns))]
+    for colour, column in zip(colours, columns):
         ax.plot(rows["time"] * ft, rows[field][:, column] * factor, color=colour)
     _time_axis(ax, rows["time"] if times is None else np.array(times), unit_t, ft)
     last = len(values) - 1 if times is None else max(min(int(np.searchsorted(rows["time"], times[1])), len(values)) - 1, 0)
@@ -63,7 +64,7 @@ def gauge(run, field: str = "", names=None, times=None, limits=None, ax=None):
         seen = (line[np.isfinite(line)] for line in values[: last + 1].T)
         ends = [line[-1] * factor if len(line) else low for line in seen]
         beyond = (" (above)" if end > high else " (below)" if end < low else "" for end in ends)
-        label_lines(ax, [known[k] + where for k, where in zip(columns, beyond)], ends, COLOURS)
+        label_lines(ax, [known[k] + where for k, where in zip(columns, beyond)], ends, colours)
     return ax
 
 

@@ -53,7 +53,8 @@ def pi_plane(run, names=None, times=None, ax=None):
         ax.plot([0.0, reach * np.cos(angle)], [0.0, reach * np.sin(angle)], color=QUIET, linewidth=0.8, zorder=0)
         ax.text(reach * np.cos(angle), 1.04 * reach * np.sin(angle), name, color=INK, fontsize=8.5, ha="center",
                 va="top" if k else "bottom")
-    for colour, k in zip(COLOURS, picked):
+    for n, k in enumerate(picked):
+        colour = COLOURS[n % len(COLOURS)]
         radius = met[k] * factor
         ax.plot(radius * np.cos(turn), radius * np.sin(turn), color=colour, linewidth=0.6, linestyle=(0, (4, 3)))
         ax.plot(x[:, k], y[:, k], color=colour, label=f"{known[k]}: largest {radius:.3g} {unit}")

@@ -40,6 +40,19 @@ def test_gauge_lines_are_the_record_in_the_axis_units(run):
     assert "µs" in ax.get_xlabel() and "GPa" in ax.get_ylabel() and [t.get_text() for t in ax.texts] == ["middle"]
 
 
+def test_every_gauge_that_is_named_is_drawn(run, tmp_path):
+    """The command line takes several, and more of them than there are colours."""
+    from hugoniot.cli.main import main
+
+    assert len(run.plot.gauge("velocity", ["middle"] * 11).lines) == len(run.plot.gauge("velocity", ["middle"] * 11).texts) == 11
+    named = [word for name in run.gauge_names() for word in ("--gauge", name)]
+    with pytest.raises(SystemExit) as ended:
+        main(["plot", str(run.folder), "gauge", "velocity", *named, "--out", str(tmp_path / "all.svg")])
+    assert not ended.value.code and len(run.gauge_names()) > 1
+    assert all(f">{name}</text>" in (tmp_path / "all.svg").read_text() or f"<!-- {name} -->" in (tmp_path / "all.svg").read_text()
+               for name in run.gauge_names())
+
+
 def test_the_pull_back_is_written_on_the_free_surface(run):
     ax = run.plot.free_surface()
     assert any("pull-back 70 m/s" in text.get_text() for text in ax.texts)
