@@ -264,7 +264,7 @@ def _doubts(problem: Problem, solver: Solver) -> list[str]:
         from hugoniot.solvers.lagrange1d.transmitting import missing
 
         found += measured(problem, peaks["peak_stress"], missing(solver.control))
-        found += unresolved(problem, solver.segments, solver.region_of)
+        found += unresolved(problem, solver.opened, solver.region_of)
     return found
 
 

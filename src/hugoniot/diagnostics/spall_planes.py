@@ -8,12 +8,12 @@ from hugoniot.units import format_si
 FEWEST = 100     # zones from a void to the end of its region: with fewer, releases are as wide as the layer and hide a second plane
 
 
-def unresolved(problem: Problem, segments: np.ndarray, region_of: np.ndarray) -> list[str]:
-    """A warning for every region with a void fewer than FEWEST zones from its end; segments (first, last zone, ...) of the bodies left."""
-    found = {}
-    for zone in segments[1:, 0].tolist():
+def unresolved(problem: Problem, opened: np.ndarray, region_of: np.ndarray) -> list[str]:
+    """A warning for every region with a void fewer than FEWEST zones from its end; opened: the zone on the right of every void."""
+    found: dict[int, int] = {}
+    for zone in opened.tolist():
         region = int(region_of[zone])
-        if int(region_of[zone - 1]) != region:      # bodies that separated where regions meet
+        if int(region_of[zone - 1]) != region:      # a void where regions meet
             continue
         first, last = np.flatnonzero(region_of == region)[[0, -1]]
         found[region] = min(found.get(region, FEWEST), zone - int(first), int(last) + 1 - zone)

@@ -135,7 +135,8 @@ def _mark_pull_back(ax, seen, ft, fu, unit):
         text += f"\nspall strength {least}{reading['spall_strength_acoustic'] * 1e-9:.3g} GPa"
     if "spall_strength_kanel" in reading:
         text += f"\nKanel: {reading['spall_strength_kanel'] * 1e-9:.3g} GPa"
-    ax.annotate(text, (x, found.minimum * fu), xytext=(0, -8), textcoords="offset points", ha="center", va="top", fontsize=8.5)
+    ax.annotate(text, (x, found.minimum * fu), xytext=(0, -8), textcoords="offset points", ha="center", va="top", fontsize=8.5,
+                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 1.5})
     low, high = ax.get_ylim()
     inches = ax.get_figure().get_figheight() * ax.get_position().height
     ax.set_ylim(min(low, found.minimum * fu - (high - low) * 0.6 / max(inches, 1e-6)), high)

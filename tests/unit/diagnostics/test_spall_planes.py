@@ -5,9 +5,13 @@ import pytest
 
 from hugoniot import run
 from hugoniot.diagnostics.spall_planes import unresolved
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.fracture.spall_stress import SpallStress
+from hugoniot.materials.material import Material
 from hugoniot.output.run_numbers import warnings_of
 from hugoniot.problem import catalogue
 from hugoniot.problem.deck import read_deck_text
+from hugoniot.problem.model import Boundary, Problem, Region
 
 
 @pytest.mark.parametrize("zones, warned", [(100, True), (200, False)])
@@ -23,10 +27,23 @@ def test_which_planes_count():
     problem = read_deck_text(catalogue.deck_text("flyer"), "flyer.toml", {"region.flyer.zones": 50, "region.target.zones": 400}).problem
     region_of = np.repeat([0, 1], [50, 400])
 
-    def bodies(*starts):
-        return np.array([[first, last, 0, 0] for first, last in zip((0, *starts), (*starts, 450))])
+    def said(*opened):
+        return unresolved(problem, np.array(opened, dtype=int), region_of)
 
-    assert unresolved(problem, bodies(), region_of) == unresolved(problem, bodies(50), region_of) == []
-    assert unresolved(problem, bodies(150, 350), region_of) == []
-    (text,) = unresolved(problem, bodies(50, 149, 400), region_of)
+    assert said() == said(50) == said(150, 350) == []
+    (text,) = said(50, 149, 400)
     assert "'target' 50 zones" in text and 'zone_size = "5 um"' in text
+
+
+def test_a_plane_counts_when_its_void_has_closed(tmp_path):
+    """A foil spalls, and a wall ahead of it closes the void again before the run ends."""
+    law, speed = MieGruneisen(2700.0, 5200.0, 1.5, 2.0), 500.0
+    materials = {"flyer": Material("flyer", law), "foil": Material("foil", law, fracture=SpallStress(0.5e9))}
+    regions = (Region("flyer", "flyer", -0.5e-3, 0.0, 25, velocity=speed), Region("foil", "foil", 0.0, 1e-3, 50),
+               Region("wall", "flyer", 1.05e-3, 3e-3, 97))
+    problem = Problem("foil", "planar", 1e-6, regions, materials, left=Boundary("free"), right=Boundary("fixed"))
+    done = run(problem, tmp_path / "run", report=False)
+    events = [str(kind) for kind in done.arrays("events")["kind"]]
+    assert events.count("void_opened") >= 1 and "void_closed" in events[events.index("void_opened"):]
+    closed = [str(text) for text in done.arrays("events")["text"] if "between 'foil' and 'foil' closed" in str(text)]
+    assert closed and any("a void opened in 'foil'" in text for text in warnings_of(done))

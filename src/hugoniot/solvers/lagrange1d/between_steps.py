@@ -37,7 +37,7 @@ def open_body(solver, node: int, cause: str) -> Event:
         mark_patch(solver.table, first, last, zone - 1)
         mark_patch(solver.table, first, last, zone)
         solver.counters[L.FRACTURING] = 1
-        solver.voids_opened += 1
+        solver.opened = np.append(solver.opened, zone)
     else:
         solver.interfaces_separated += 1
     solver.nodes, solver.gradient, solver.segments = split(solver.zones, solver.nodes, solver.gradient, solver.segments, node)

@@ -76,7 +76,8 @@ class Lagrange1D(NothingToAdd):
         self.control = np.zeros(L.CONTROL_FLOATS)
         self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.passed = np.zeros((0, L.PASS_FLOATS))
-        self.voids_opened = self.voids_closed = self.interfaces_separated = 0
+        self.opened = np.zeros(0, dtype=np.int64)      # the zone on the right of every void that has opened
+        self.voids_closed = self.interfaces_separated = 0
         self.region_of = np.repeat(np.arange(len(problem.regions)), [b - a for a, b in self.region_ranges])
         self.initial_nodes = self.faces(H.r)
         self.gauge_places = gauge_places(self)
@@ -134,6 +135,10 @@ class Lagrange1D(NothingToAdd):
     def step(self) -> float:
         """The last time step, s."""
         return float(self.control[L.DT])
+
+    @property
+    def voids_opened(self) -> int:
+        return len(self.opened)
 
     @property
     def zone_updates(self) -> int:
@@ -245,16 +250,16 @@ class Lagrange1D(NothingToAdd):
     # -- checkpoints -----------------------------------------------------------------------------------------
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
-        names = ("zones", "charge", "nodes", "gradient", "segments", "control", "counters")
-        numbers = ("voids_opened", "voids_closed", "interfaces_separated", "start_energy", "start_momentum")
+        names = ("zones", "charge", "nodes", "gradient", "segments", "control", "counters", "opened")
+        numbers = ("voids_closed", "interfaces_separated", "start_energy", "start_momentum")
         return {name: getattr(self, name).copy() for name in names} | {name: getattr(self, name) for name in numbers}
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
         self.zones[:], self.charge[:] = payload["zones"], payload["charge"]
-        for name in ("nodes", "gradient", "segments", "control", "counters"):
+        for name in ("nodes", "gradient", "segments", "control", "counters", "opened"):
             setattr(self, name, np.ascontiguousarray(payload[name]).copy())
-        for name in ("voids_opened", "voids_closed", "interfaces_separated"):
+        for name in ("voids_closed", "interfaces_separated"):
             setattr(self, name, int(payload[name]))
         self.start_energy, self.start_momentum = float(payload["start_energy"]), float(payload["start_momentum"])
         self.renew_topology()
