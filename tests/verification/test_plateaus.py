@@ -95,7 +95,7 @@ def test_the_highest_stress_of_a_wave_that_has_not_left_the_first_zones(tmp_path
 
 
 def test_precursors_and_gases_keep_the_smaller_linear_coefficient():
-    """A material with strength (in weak jumps), with pores, or a gas has c1 = `linear`; another viscosity law has its own coefficient."""
+    """A material with strength or pores (in weak jumps) or a gas has c1 = `linear`; another viscosity law has its own coefficient."""
     law, limited = LAWS["copper"], VISCOSITY.get("limited").example
 
     def coefficient(*parts):
@@ -104,7 +104,7 @@ def test_precursors_and_gases_keep_the_smaller_linear_coefficient():
     others = [(law, PerfectlyPlastic(45e9, 0.1e9)), (EOS.get("p_alpha").example,), (IdealGas(1.4, 1.0, 1e5),), (IdealGas(5.0 / 3.0),)]
     assert [coefficient(*parts) for parts in others] == [limited.linear] * 4
     strong = [viscosity_in(Material("m", *parts), limited).linear_condensed for parts in others]
-    assert strong == [limited.linear_condensed, limited.linear, limited.linear, limited.linear]
+    assert strong == [limited.linear_condensed, limited.linear_condensed, limited.linear, limited.linear]
     landshoff = VISCOSITY.get("landshoff").example
     assert viscosity_in(Material("m", law), landshoff) is landshoff
 

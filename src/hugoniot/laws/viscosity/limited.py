@@ -18,10 +18,10 @@ any gain.
 smeared (W-E4). In solids and liquids, however, $c_1 = 0.3$ damps the oscillations behind a strong shock too little, and the velocity of a
 free surface overshoots. The coefficient therefore depends on the material:
 
-* gases and porous materials: $c_1$
+* gases: $c_1$
 * nonporous solids and liquids without strength: $c_c$ in place of $c_1$
-* nonporous solids with strength: the following expression in place of $c_1^2$, which is near $c_1^2$ in a precursor and near $c_c^2$ in a
-  plastic shock:
+* nonporous solids with strength, and porous materials whose pores stay crushed: the following expression in place of $c_1^2$, which is
+  near $c_1^2$ in a precursor and near $c_c^2$ in a plastic or crushing shock:
 
 $$c_1^2 + (c_c^2 - c_1^2)\,\frac{\Delta u^4}{\Delta u^4 + (0.014\,c)^4}$$
 
@@ -59,8 +59,8 @@ VISCOSITY.add(
     example=Limited(),
     units={"quadratic": "1", "linear": "1", "linear_condensed": "1"},
     meaning={"quadratic": "c2, quadratic coefficient, (gamma + 1)/4 for an ideal gas",
-             "linear": "c1, linear coefficient in gases, porous materials and, with strength, weak shocks",
-             "linear_condensed": "linear coefficient in nonporous solids and liquids; with strength only in strong shocks"},
+             "linear": "c1, linear coefficient in gases and, in materials with strength or pores, in weak shocks",
+             "linear_condensed": "linear coefficient in solids and liquids; with strength or pores only in strong shocks"},
     defaults={"quadratic": 2.0 / 3.0, "linear": 0.3, "linear_condensed": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     least={"quadratic": 0.0, "linear": 0.0, "linear_condensed": 0.0},

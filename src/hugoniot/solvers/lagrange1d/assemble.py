@@ -7,6 +7,7 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import (
     compacted,
     density_limits,
+    flagged,
     is_condensed,
     pressure,
     remembered,
@@ -37,8 +38,11 @@ CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L
 
 
 def viscosity_in(material, viscosity):
-    """The viscosity as a material has it: condensed ones have a linear coefficient of their own, in weak jumps only without strength."""
-    if "linear_condensed" not in viscosity._fields:
+    """The viscosity as a material has it: condensed ones have a linear coefficient of their own, in weak jumps only without strength.
+
+    Pores have precursors like strength, and solid matter behind the shocks that crush them.
+    """
+    if "linear_condensed" not in viscosity._fields or flagged(material.eos, "remembers"):
         return viscosity
     if not is_condensed(material.eos):
         return viscosity._replace(linear_condensed=viscosity.linear)
