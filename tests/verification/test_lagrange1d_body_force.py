@@ -5,6 +5,7 @@ import pytest
 
 from hugoniot.errors import DeckError
 from hugoniot.problem.deck import read_deck_text
+from hugoniot.solvers.lagrange1d.layout import Z
 from hugoniot.solvers.lagrange1d.solver import Lagrange1D
 
 GAS = '[material.gas.eos]\nlaw = "ideal_gas"\ngamma = 1.4\nrho0 = 1.2\nspecific_heat = 717.5\n'
@@ -50,6 +51,19 @@ def test_a_body_that_nothing_holds_falls_freely(integrator, tight):
     assert run.momentum() == pytest.approx(1.2 * 2.0, rel=0.5 * tight + 1e-8)
     assert run.exchanges()["force_work"] == pytest.approx(0.5 * 1.2 * 4.0, rel=tight + 1e-6)
     assert run.errors()["energy_error"] < tight and run.errors()["momentum_error"] < 1e-12
+
+
+@pytest.mark.parametrize("integrator", ["compatible", "wilkins"])
+def test_the_impulse_of_the_force_is_that_on_the_whole_mass_when_a_gap_has_closed(integrator):
+    """g M t; once two surfaces are one, a node fewer is there."""
+    rows = [("one", 0.0, 1.0, 10, "velocity = 300\npressure = 1e4"), ("other", 1.01, 2.0, 10, "pressure = 1e4")]
+    run = solver_of(rows, "[body_force]\nacceleration = 1e4\n", stop="2 ms", integrator=integrator)
+    mass = run.zones[Z.mass].sum()
+    while run.time < 2e-3:
+        run.march(2e-3, 10_000)
+    assert run.counts()["voids_closed"] == 1
+    assert run.exchanges()["force_impulse"] == pytest.approx(mass * 1e4 * 2e-3, rel=0.01 if run.staggered else 1e-12)
+    assert run.errors()["momentum_error"] < 1e-12 and (run.staggered or run.errors()["energy_error"] < 1e-12)
 
 
 def test_a_shell_falls_in_a_central_field():

@@ -190,7 +190,7 @@ def book_force(nodes, control, dts, staggered, force):
     """Work and impulse of the body force in a step that was taken; `dts` = (dt, mean dt)."""
     work = impulse = 0.0
     dt, dt_kick = dts[0], dts[1] if staggered else dts[0]
-    for n in range(nodes.shape[1]):
+    for n in range(int(control[L.LAST_NODE]) + 1):     # beyond it the table has room for nodes, and what closed gaps left
         u = nodes[H.u, n] if staggered else nodes[H.u_mean, n]
         push = nodes[H.mass, n] * field_at(nodes[H.r, n] - dt * u if staggered else nodes[H.r_half, n], force.field)
         work += dt * push * u
