@@ -205,7 +205,8 @@ _PARTS = (("kinetic_energy", "kinetic"), ("internal_energy", "internal"), ("pres
           ("elastic_deviator_energy", "elastic shear energy"), ("plastic_work", "plastic work"), ("viscous_work", "viscous work"),
           ("boundary_work", "boundary work"), ("released_heat", "heat released"),
           ("supplied_heat", "heat supplied"), ("force_work", "work of the body force"))
-_WHOLE = ("kinetic", "internal", "boundary work")
+PALE = ("#999999", "#8c564b")      # more parts than there are colours
+_WHOLE = ("kinetic", "internal", "boundary work", "heat supplied", "work of the body force")
 
 
 @styled
@@ -223,14 +224,16 @@ def budget(run, ax=None):
     lines = [(words, values) for words, values in lines if len(values) and np.max(np.abs(values)) > 1e-4 * top]
     prefix, factor = next(((p, f) for p, f in (("GJ", 1e-9), ("MJ", 1e-6), ("kJ", 1e-3)) if top * f >= 1.0), ("J", 1.0))
     unit_t, ft = time_scale(rows["time"][-1] if len(rows["time"]) else 1.0)
-    # the last parts make up the internal energy: dashed, so that nothing seems to be counted twice
-    for colour, (words, values) in zip(COLOURS, lines):
+    # the others make up the internal energy: dashed, so that nothing seems to be counted twice
+    lines.sort(key=lambda line: line[0] not in _WHOLE)
+    colours = [*COLOURS, *(PALE * len(lines))]
+    for colour, (words, values) in zip(colours, lines):
         ax.plot(rows["time"] * ft, values * factor, color=colour, linestyle="-" if words in _WHOLE else (0, (4, 2)))
     _time_axis(ax, rows["time"], unit_t, ft)
     per = {"planar": "m²", "cylindrical": "(m rad)", "spherical": "sr", "plane": "m", "axisymmetric": "rad"}[run.setup["geometry"]]
     ax.set_ylabel(f"energy ({prefix}/{per})")
     quiet_grid(ax)
-    label_lines(ax, [words for words, _ in lines], [values[-1] * factor for _, values in lines], COLOURS)
+    label_lines(ax, [words for words, _ in lines], [values[-1] * factor for _, values in lines], colours)
     return ax
 
 

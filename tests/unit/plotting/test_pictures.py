@@ -53,6 +53,37 @@ def test_every_gauge_that_is_named_is_drawn(run, tmp_path):
                for name in run.gauge_names())
 
 
+DRIVEN = """stop_time = "1 us"
+[[region]]
+name = "plate"
+material = "own"
+from = "0 mm"
+to = "4 mm"
+zones = 40
+[material.own]
+eos = {law = "mie_gruneisen", rho0 = 2700.0, c0 = 5200.0, s = 1.5, gamma0 = 2.0}
+strength = {law = "perfectly_plastic", shear_modulus = "26 GPa", yield_stress = "0.3 GPa"}
+[boundary]
+left = {pressure = "2 GPa"}
+[body_force]
+acceleration = "1e8 m/s^2"
+[[heat_source]]
+region = "plate"
+power = "1e10 W/kg"
+"""
+
+
+def test_no_part_of_the_energy_is_left_out_for_want_of_a_colour(tmp_path):
+    """What enters is what there is more of: the lines of work and heat supplied sum to those of kinetic and internal energy."""
+    from hugoniot import run as run_problem
+    from hugoniot.problem.deck import read_deck_text
+
+    ax = run_problem(read_deck_text(DRIVEN, "deck.toml").problem, tmp_path / "run", report=False).plot.budget()
+    end = {text.get_text(): line.get_ydata()[-1] for text, line in zip(ax.texts, ax.lines, strict=True)}
+    assert len(end) == 9
+    assert end["boundary work"] + end["heat supplied"] + end["work of the body force"] == pytest.approx(end["kinetic"] + end["internal"], rel=1e-9)
+
+
 def test_the_pull_back_is_written_on_the_free_surface(run):
     ax = run.plot.free_surface()
     assert any("pull-back 70 m/s" in text.get_text() for text in ax.texts)
