@@ -28,8 +28,6 @@ _PER_MASS = {
     "plastic_work": ("J/kg", "plastic work done per unit mass"),
     "viscous_work": ("J/kg", "work of the artificial viscosity per unit mass"),
 }
-# of budgets, and fields of zones per unit mass
-_OF_BUDGETS = {"kinetic_energy", "momentum", "momentum_x", "momentum_y", "pressure_work_and_heat", "elastic_deviator_energy"}
 PER_AREA = {"planar": "/m^2", "cylindrical": "/m/rad", "spherical": "/sr", "plane": "/m", "axisymmetric": "/rad"}
 
 
@@ -47,7 +45,7 @@ def describe(name: str, geometry: str = "", given: dict | None = None) -> tuple[
         return _PER_MASS[name]
     if name in _FACES:
         return _FACES[name]
-    if name in FIELDS and not (geometry and name in _OF_BUDGETS):
+    if name in FIELDS and not (geometry and FIELDS[name].unit in ("J/kg", "kg m/s")):     # of zones; budgets hold whole regions
         return FIELDS[name].unit, FIELDS[name].long_name
     if name.startswith("time_of_"):
         return "s", words

@@ -5,8 +5,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from hugoniot.diagnostics.budgets import PARTS
 from hugoniot.diagnostics.energy_modes import distortion_energy
 from hugoniot.laws.strength.contract import STRENGTH, shear_modulus
+from hugoniot.output.columns import describe
 
 LAW = STRENGTH.get("steinberg_guinan").example
 PROBLEM = SimpleNamespace(regions=[SimpleNamespace(material="al"), SimpleNamespace(material="water")],
@@ -45,3 +47,12 @@ def test_burned_mass_holds_no_energy_of_distortion():
     assert energies(given, region_of, heat) == pytest.approx(4.0 * whole)     # the same stress in a quarter of the stiffness
     given.zones["burn_fraction"][:] = 1.0
     assert not energies(given, region_of, heat).any()
+
+
+@pytest.mark.parametrize("geometry, per", [("planar", "/m^2"), ("cylindrical", "/m/rad"), ("spherical", "/sr"), ("axisymmetric", "/rad")])
+def test_the_parts_of_a_budget_have_one_unit(geometry, per):
+    """They are summed over regions; the fields of zones of the same name are per unit mass."""
+    for name in PARTS[:-1]:
+        assert describe(name, geometry)[0] == f"J{per}", name
+        assert describe(name)[0] == ("J" if name == "internal_energy" else "J/kg")
+    assert describe(PARTS[-1], geometry)[0] == f"kg m/s{per}"
