@@ -1,6 +1,6 @@
 """The deck of the solver `lagrange1d`: its shape, and the way from a deck that fits it to a `Problem` and back."""
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from types import MappingProxyType
 from typing import Annotated, Any, Literal
 
@@ -244,7 +244,8 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if len(problem.gauges) > MOST_GAUGES:
         collector.add(("gauge",), f"{len(problem.gauges)} gauges are too many (those beside interfaces and on free surfaces are counted)",
                       f"the limit is {MOST_GAUGES}")
-    for defect in (*explosives.defects(problem), *periodic.defects(problem), *terms.defects(problem), *windows.defects(problem),
+    asked = replace(problem, gauges=gauges)      # in the order of the deck, which places are counted by
+    for defect in (*explosives.defects(problem), *periodic.defects(problem), *terms.defects(problem), *windows.defects(asked),
                    *output_fields.defects(problem.output, problem.regions, problem.materials)):
         collector.add(*defect)
     if collector.problems:

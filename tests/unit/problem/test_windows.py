@@ -102,6 +102,15 @@ def test_windows_that_cannot_be_looked_through(change, words):
     assert any(words in problem.message for problem in caught.value.problems), str(caught.value)
 
 
+def test_a_wrong_window_is_found_in_the_deck_behind_a_gauge_with_two_sides():
+    """The gauges that an interface gauge brings along are in no deck: they do not count."""
+    text = DECK + '[[gauge]]\nname = "other"\nat = "0.5 mm"\nwindow = "glass"\n'
+    with pytest.raises(DeckError) as caught:
+        read_deck_text(text)
+    (found,) = caught.value.problems
+    assert found.key == "gauge.other.window" and text.splitlines()[found.line - 1] == 'window = "glass"' and found.line > text.count("\n") - 2
+
+
 def test_quartz_has_an_index_under_compression_at_one_wavelength():
     """Z-cut, elastic; at another wavelength the message names the one there is. Its line in the library is that of strong shocks: told."""
     seen = read_deck_text(DECK.replace('"LiF"', '"quartz"').replace('window = "glass"', 'window = "glass"\nwavelength = "1550 nm"'))
