@@ -24,6 +24,7 @@ from hugoniot.output.spall_records import hit_regions
 from hugoniot.output.spall_records import records as surface_records
 from hugoniot.units import UnitError, convert, format_si
 
+OPPOSITE = 0.5     # of the root mean square difference: with less after a change of its sign a record has the other one
 _HEADS = "use column headers such as 'time [us], velocity [m/s]' or 'time (us), velocity (m/s)'"
 
 
@@ -198,6 +199,14 @@ class Choice:
 _SET_UP = ("geometry", "stop_time", "regions", "boundaries", "interfaces", "gauges", "materials")
 
 
+def _turned(pair: Pair) -> bool:
+    """Whether the data are a velocity that would agree far better with the other sign."""
+    if pair.a.unit != "m/s":
+        return False
+    a, b = pair.a, pair.b
+    return difference(a.time, -a.values, b.time, b.values).l2 < OPPOSITE * pair.norms.l2
+
+
 def _solver(run: Run) -> str:
     """The solver of a run, and the mode where it has several."""
     solver = run.setup["solver"]
@@ -244,6 +253,9 @@ def compare(a, b, gauge: str | None = None) -> Comparison:
             apart = apart or own is not None
             continue
         pairs.append(Pair(own, other, difference(own.time, own.values, other.time, other.values)))
+        if is_table and _turned(pairs[-1]):
+            notes.append(f"the {own.field.replace('_', ' ')} of b is opposite to that of gauge '{own.gauge}', which is positive towards "
+                         "larger positions: change the sign of the data if theirs is positive towards the instrument")
     if not is_table:
         there = {(other.gauge, other.field) for other in others}
         unmatched += [f"{own.gauge} {own.field}" for own in mine if (own.gauge, own.field) not in there]

@@ -41,6 +41,16 @@ def test_data_in_laboratory_units_are_compared_in_si(runs, tmp_path):
     assert pair.norms.l1 == pytest.approx(10, rel=1e-9) and pair.norms.linf == pytest.approx(10, rel=1e-9)
 
 
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_data_of_the_other_sign_are_noted(runs, tmp_path, sign):
+    """An interferometer to the left of a surface counts its velocity towards itself, a gauge to the right."""
+    time, velocity = runs[0].gauge("velocity", "free surface")
+    lines = ["time [s], velocity [m/s]"] + [f"{t!r},{sign * 0.9 * u!r}" for t, u in zip(time.tolist(), velocity.tolist())]
+    (tmp_path / "visar.csv").write_text("\n".join(lines))
+    found = compare(runs[0], tmp_path / "visar.csv")
+    assert any("change the sign" in note for note in found.notes) == (sign < 0.0)
+
+
 def test_heads_may_name_a_gauge(runs, tmp_path):
     time, stress = runs[0].gauge("stress", "middle")
     (tmp_path / "d.csv").write_text("time [ns],middle stress [kbar],middle colour [1]\n" + "\n".join(
