@@ -110,7 +110,7 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
     ax.plot(time * ft, velocity * fu, color=COLOURS[0])
     _time_axis(ax, time, unit_t, ft)
     # of a surface or window on the left the record is minus the velocity along the axis, which the table of the gauges gives
-    towards = " towards the window" if record.kind == WINDOW else ""
+    towards = f" towards '{record.window}'" if record.kind == WINDOW else ""
     words = "free-surface velocity out of the body" if record.kind == SURFACE else f"velocity at {record.gauge}{towards}"
     ax.set_ylabel(labelled(words, unit))
     quiet_grid(ax)

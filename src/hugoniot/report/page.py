@@ -97,6 +97,11 @@ def _section(title: str, *parts: str) -> str:
     return f"<section><h2>{text(title)}</h2>{body}</section>" if body else ""
 
 
+def _through(seen) -> str:
+    """What the light of the interferometer has to pass, which may be any neighbour of a body: the deck does not say what is transparent."""
+    return f" It would look through '{seen.window}', which has to be transparent for this." if seen.window else ""
+
+
 def one_by_one(tasks: dict[str, Callable[[], str]]) -> dict[str, str]:
     """The pictures the tasks draw, by the tasks' names."""
     return {name: draw() for name, draw in tasks.items()}
@@ -121,8 +126,8 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
         _section("Wave diagram", _figure(pictures, "wave")),
         _section("Maps", *(_figure(pictures, name) for name in pictures if name.startswith("map_"))),
         _section("Gauge records", *(_figure(pictures, name) for name in _CAPTIONS if name.startswith("gauge_"))),
-        _section("Free surface" if seen.kind == SURFACE else "Window interface",
-                 _figure(pictures, "free_surface", f" Recorded by: {seen.source}. {_spall_words(spall_numbers(run))}")),
+        _section("Free surface" if seen.kind == SURFACE else "Interface",
+                 _figure(pictures, "free_surface", f"{_through(seen)} Recorded by: {seen.source}. {_spall_words(spall_numbers(run))}")),
         _section("Energy and momentum", _figure(pictures, "budget"), _figure(pictures, "errors")),
         _section("Events", sections.events(run)),
         _section("Materials", sections.materials(setup)),

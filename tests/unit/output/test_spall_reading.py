@@ -247,7 +247,9 @@ def test_the_picture_of_a_surface_says_which_way_is_positive(ran):
     assert ran("free").gauge("velocity", "free surface left")[1][0] == pytest.approx(SPEED)
     assert ax.lines[0].get_ydata()[0] == pytest.approx(-SPEED) and ax.get_ylabel() == "free-surface velocity out of the body (m/s)"
     ax = ran("window").plot.free_surface("VISAR")
-    assert ax.lines[0].get_ydata().max() > 0.0 and ax.get_ylabel() == "velocity at VISAR towards the window (m/s)"
+    assert ax.lines[0].get_ydata().max() > 0.0 and ax.get_ylabel() == "velocity at VISAR towards 'window' (m/s)"
+    page = write_report(ran("window").folder).read_text(encoding="utf-8")
+    assert "look through &#x27;window&#x27;, which has to be transparent" in page and "would look through" not in write_report(ran("free").folder).read_text()
 
 
 def test_the_body_that_is_hit():
