@@ -10,7 +10,7 @@ the window holds the stress of its own Hugoniot, sigma_w(u) = rho_w (c_w + s_w u
 the acoustic one of `diagnostics.velocimetry`.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from hugoniot.diagnostics.velocimetry import (
     spall_thickness,
 )
 from hugoniot.output.run import largest_value
-from hugoniot.output.spall_records import Record, ends, hit_regions, records, spalled_regions, surface_record
+from hugoniot.output.spall_records import Record, ends, hit_regions, records, spalled_regions, struck, surface_record
 from hugoniot.units import format_si
 
 LEAST_SIGNAL = 0.4      # part of Z (u1 - u2) that the correction for a window must leave: errors of a velocity grow by its inverse
@@ -32,6 +32,7 @@ LARGEST_MISS = 0.1      # of the pull-back: by how much the minimum may lie belo
 LARGEST_LOSS = 1.0      # of the pull-back: Kanel's correction takes the slopes of the record as constant over what was lost
 LOST = 0.02             # of the pull-back: gentle pulses lose 1 %, those of impacts 4 % or more (on a mesh, which flattens slopes)
 LEAST_PRESSURE = 1e-4   # of rho c^2: an initial pressure below it moves a surface by less than 1e-4 c
+LEAST_MINIMUM = 0.25    # of the pull-back: how deep the minima of the ringing are
 NOISE = 1e-6            # of the largest speed of a run: what a gauge sees of a wave that has not come yet is less
 
 
@@ -95,15 +96,18 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
     """The numbers of one record of a region that broke at the time `opened` (s), or why there are none."""
     if not np.max(np.abs(record.velocity - record.start), initial=0.0) > NOISE * largest_value(run, "velocity"):
         return Reading(reason=f"no wave reached {record.source} before the end of the run", record=record)
-    found = pull_back(record.time, record.velocity, start=record.start)
+    free = record.time < (met := struck(run, record))     # what comes after is the impact on another body
+    before = replace(record, time=record.time[free], velocity=record.velocity[free])
+    found = pull_back(before.time, before.velocity, start=record.start)
     if found is None:
-        reason = (f"the velocity at {record.source} shows no pull-back (a drop of at least 4 % of its largest change and a rebound "
+        until = f" before it met '{record.ahead}' at {format_si(met, 's', 4)}" if np.isfinite(met) else ""
+        reason = (f"the velocity at {record.source} shows no pull-back{until} (a drop of at least 4 % of its largest change and a rebound "
                   "above 2 %)")
         return Reading(reason=reason, record=record)
     if found.rebound_time <= opened:
         reason = f"the pull-back at {record.source} came before the first void in '{record.region}' opened, so it is not a spall signal"
         return Reading(reason=reason, record=record)
-    if (missed := _missed(record, found)) > LARGEST_MISS:
+    if (missed := _missed(before, found)) > LARGEST_MISS:
         reason = (f"the records at {record.source} are too sparse: between two samples the velocity may fall by another {missed:.0%} of "
                   f"the pull-back, and a reliable reading needs less than {LARGEST_MISS:.0%}; reduce gauge_interval")
         return Reading({"peak_velocity": found.peak}, reason, record=record)
@@ -113,7 +117,7 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
     if window is not None and not np.isfinite(window.get("s", np.nan)):
         return Reading(reason=f"the impedance of the window '{record.window}' is not known", record=record, found=found)
     body = constants_of(run, record.region)
-    numbers = reading_of(record.time, record.velocity, found, body, window, record.start)
+    numbers = reading_of(before.time, before.velocity, found, body, window, record.start)
     if window and body:
         signal = body["rho0"] * body["c_bulk"] * found.drop
         left = 2.0 * numbers["spall_strength_acoustic"] / signal
@@ -122,7 +126,7 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
                       f"spall strength; a reliable reading needs {LEAST_SIGNAL:.0%}")
             numbers = {key: value for key, value in numbers.items() if not key.startswith("spall_strength")}
             return Reading(numbers, reason, record=record, found=found)
-    note = _eroded(numbers) or _overtaken(record, found, body, opened, numbers)
+    note = _eroded(numbers) or _overtaken(before, found, body, opened, numbers)
     if note:        # Stepanov's formula rests on the same pull-back and is no bound
         numbers.pop("spall_strength_stepanov", None)
     return Reading(numbers, "", note, record, found)
@@ -186,7 +190,9 @@ def reading_of(time, velocity, found: PullBack, constants: dict, window: dict | 
     start is the velocity of the surface before the first wave, m/s.
     """
     result = {"peak_velocity": found.peak, "pull_back": found.drop, "minimum_time": found.minimum_time}
-    period = ringing_period(time, velocity, found.minimum_time, start=start)
+    # a ripple on the tops of the ringing is no minimum
+    least = max(0.01, LEAST_MINIMUM * found.drop / float(np.max(np.abs(velocity - start))))
+    period = ringing_period(time, velocity, found.minimum_time, least, start)
     if np.isfinite(period):
         result["ringing_period"] = period
     if not constants:

@@ -22,7 +22,8 @@ class Record:
     """A velocity record as an interferometer sees it: velocity (m/s, outwards positive) over time (s).
 
     gauge   name of the gauge, "" for the snapshots' right face; kind SURFACE, WINDOW or ""; region whose end it is, "" if unknown;
-    window  the region behind the interface; source how it was recorded, in words; start the velocity before the first wave, m/s
+    window  the region behind the interface; source how it was recorded, in words; start the velocity before the first wave, m/s;
+    ahead   the region across the gap in front of a free surface, "" if there is none
     """
 
     time: np.ndarray
@@ -33,6 +34,7 @@ class Record:
     window: str = ""
     source: str = ""
     start: float = 0.0
+    ahead: str = ""
 
 
 def hit_regions(setup) -> list[str]:
@@ -107,13 +109,16 @@ def records(run) -> list[Record]:
         return []
     at = {gauge["name"]: str(gauge["at"]) for gauge in run.setup["gauges"]}
     hit, driving, found = hit_regions(run.setup), explosives(run.setup), []
+    names = [region["name"] for region in run.setup["regions"]]
     for region, kind, window, places in ends(run.setup):
         name = next((name for place in places for name in run.gauge_names() if at.get(name, name) == place), None)
         if name is not None:
             time, velocity = run.gauge("velocity", name)
             leftward = places[0].endswith("left") if kind == SURFACE else places[1].endswith(":left")
             outward = -velocity if leftward else velocity
-            found.append(Record(time, outward, name, kind, region, window, f"gauge '{name}'", first(outward)))
+            other = names.index(region) + (-1 if leftward else 1)
+            ahead = names[other] if kind == SURFACE and 0 <= other < len(names) else ""
+            found.append(Record(time, outward, name, kind, region, window, f"gauge '{name}'", first(outward), ahead))
     return sorted(found, key=lambda r: (r.region not in hit, r.region in driving, at.get(r.gauge) == r.gauge, r.kind != SURFACE))
 
 
@@ -148,6 +153,14 @@ def _moved_out(record: Record) -> bool:
 def first(velocity) -> float:
     """Velocity with which a record begins, m/s; zero if it is empty."""
     return float(velocity[0]) if len(velocity) else 0.0
+
+
+def struck(run, record: Record) -> float:
+    """When a free surface met the region ahead of it, s; inf if it never did."""
+    rows, pair = run.arrays("events"), {record.region, record.ahead}
+    met = [float(time) for kind, text, time in zip(rows["kind"], rows["text"], rows["time"])
+           if kind == "void_closed" and record.ahead and set(re.findall(r"'(.*?)'", str(text))) == pair]
+    return min(met, default=float("inf"))
 
 
 def spalled_regions(run) -> dict[str, float]:

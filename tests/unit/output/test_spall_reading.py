@@ -24,7 +24,7 @@ from hugoniot.output.compare import compare
 from hugoniot.output.run_numbers import gauge_rows, highest, is_lower_bound, spall_numbers
 from hugoniot.output.setup_record import setup_record
 from hugoniot.output.spall_reading import constants_of, read_record, reading_of, spall_reading, through_window
-from hugoniot.output.spall_records import hit_regions, records, spalled_regions, surface_record
+from hugoniot.output.spall_records import hit_regions, records, spalled_regions, struck, surface_record
 from hugoniot.plotting.records import free_surface as free_surface_velocity
 from hugoniot.problem import catalogue
 from hugoniot.problem.deck import read_deck_text
@@ -107,6 +107,21 @@ def test_a_body_that_moves_as_a_whole_is_read_as_one_at_rest(ran, tmp_path, name
     for key, value in still.numbers.items():
         # the round-off of a moving mesh shifts the time step in which a zone breaks
         assert moving.numbers[key] - (motion if key == "peak_velocity" else 0.0) == pytest.approx(value, rel=1e-3), key
+
+
+def test_a_surface_is_read_until_it_strikes_the_next_body(tmp_path):
+    """A plate ahead that the surface meets 1.8 us after it began to move changes nothing: not the ringing, nor what follows from it."""
+    gauge, ahead = [("VISAR", "target:right")], ("plate", ALUMINIUM, None, 4.9, 8, 0.0)
+    alone = spall_reading(run(plates(FLYER, TARGET, gauges=gauge, stop=2.5e-6), tmp_path / "alone"))
+    caught = run(plates(FLYER, TARGET, ahead, gauges=gauge, stop=3.6e-6), tmp_path / "caught")
+    found = spall_reading(caught)
+    assert 2e-6 < struck(caught, found.record) < 3e-6 and found.record.time[-1] == pytest.approx(3.6e-6)
+    assert np.abs(np.diff(found.record.velocity)).max() > 0.2 * SPEED      # the impact is in the record
+    # the pull-back behind an impact varies with the step in which the void opens
+    for key, within in (("peak_velocity", 0.01), ("pull_back", 0.1), ("spall_strength_acoustic", 0.1), ("spall_thickness", 0.05)):
+        assert found.numbers[key] == pytest.approx(alone.numbers[key], rel=within), key
+    near = run(plates(FLYER, TARGET, ("plate", ALUMINIUM, None, 4.05, 8, 0.0), gauges=gauge, stop=2.5e-6), tmp_path / "near")
+    assert not spall_reading(near).numbers and "before it met 'plate' at" in spall_reading(near).reason
 
 
 def test_a_heated_body_is_read_with_the_constants_of_its_hot_state(ran):
