@@ -111,6 +111,6 @@ def test_round_off_of_a_body_in_balance_is_no_wave():
     """A compressed body whose edges are pressed as much as its inside: forces of 2 GPa leave a few picometres per second."""
     noise = 3e-12 * np.sin(np.arange(len(TIME)) ** 2)
     run = run_of({"point": "point"}, {"velocity_x": noise[:, None], "velocity_y": 0.0 * noise[:, None],
-                                      "pressure": np.full((len(TIME), 1), 2e9), "density": np.full((len(TIME), 1), 9000.0)})
+                                      "pressure": np.full((len(TIME), 1), 2e9), "sound_speed": np.full((len(TIME), 1), 4000.0)})
     row, = gauge_rows(run)
     assert np.isnan(row["arrival"]) and row["peak_velocity"] == 0.0 and row["peak_pressure"] == 2e9
