@@ -116,3 +116,13 @@ def test_too_many_fronts_stop_the_run_and_say_so():
 
     with pytest.raises(UnphysicalState, match="fronts, more than 30"):
         solver.march(3e-6, 10**9)
+
+
+@pytest.mark.parametrize("start, stress", [("-2 us", 0.0), ("-0.5 us", 5e9)])
+def test_of_a_square_pulse_only_what_lies_after_the_start_acts(start, stress):
+    """1 us long: one that began 2 us before t = 0 is over then, one that began half a microsecond before it still acts until 0.5 us."""
+    text = FLUID + f'[boundary]\nleft = {{pressure = {{shape = "square", amplitude = "5 GPa", duration = "1 us", start = "{start}"}}}}\n'
+    solver = solver_of(text.replace("700 m/s", "0 m/s"))
+    for until, pressed in ((0.2e-6, stress), (0.7e-6, 0.0)):
+        solver.march(until, 10**9)
+        assert solver.line.pieces[1].edge(-1).sigma == pytest.approx(pressed, abs=1.0)
