@@ -225,3 +225,66 @@ def test_a_run_with_a_rate_records_burn_fractions_and_resumes_to_the_same_bits(t
     again.restore(decode(encode(broken.payload())))
     again.march(3e-7, 10**9)
     assert again.cycle == whole.cycle and np.array_equal(again.mesh.q, whole.mesh.q) and np.array_equal(again.mesh.x, whole.mesh.x)
+
+
+SLOW = """
+stop_time = "1 us"
+[[region]]
+name = "flyer"
+material = "al"
+from = "-5 mm"
+to = "0 mm"
+zones = 10
+velocity = "5 m/s"
+[[region]]
+name = "{middle}"
+material = "{middle}"
+from = "{gap} mm"
+to = "5 mm"
+zones = 10
+[material.al.eos]
+law = "mie_gruneisen"
+rho0 = "2700 kg/m^3"
+c0 = "5300 m/s"
+s = 1.34
+gamma0 = 2.0
+[material.foam.eos]
+law = "mie_gruneisen"
+rho0 = "300 kg/m^3"
+c0 = "1000 m/s"
+s = 1.3
+gamma0 = 1.0
+[[gauge]]
+name = "face"
+at = "flyer:right"
+[solver]
+kind = "fronts"
+options = {{mode = "cells"}}
+"""
+
+
+@pytest.mark.parametrize("gap", [0.0, 0.001])
+def test_a_slow_impact_is_followed_at_the_start_and_across_a_gap(gap):
+    """Aluminium on aluminium at 5 m/s: rho0 (c0 + s u) u with u = 2.5 m/s, everywhere; cells that capture the shock overshoot by 40 %."""
+    solver = solver_of(SLOW.format(middle="al", gap=gap))
+    solver.march(0.7e-6, 10**9)
+    exact = 2700.0 * (5300.0 + 1.34 * 2.5) * 2.5
+    assert solver.peaks()["peak_stress"].max() == pytest.approx(exact, rel=1e-6)
+    assert solver.take_gauges()[1]["stress"].max() == pytest.approx(exact, rel=1e-6)
+
+
+def test_a_strong_wave_after_weak_ones_sets_the_scale():
+    """The weakest wave that is followed rises with the strongest, up to what the deck asks for."""
+    solver = solver_of(SLOW.format(middle="al", gap=0.0) + '[boundary]\nright = {velocity = {shape = "square", amplitude = "-400 m/s", '
+                       'duration = "1 us", start = "0.1 us"}}\n')
+    first = solver.flow.bench.weakest
+    solver.march(0.2e-6, 10**9)
+    assert first < 1e-4 and solver.flow.bench.weakest == 0.01
+
+
+def test_waves_too_weak_beside_a_soft_body_are_warned_of():
+    """Foam at 5 m/s is loaded to 0.5 % of its stiffness, the aluminium that strikes it to 2e-5 of its own: the cells capture that wave."""
+    solver = solver_of(SLOW.format(middle="foam", gap=0.0))
+    solver.march(0.7e-6, 10**9)
+    (warning,) = solver.warnings()
+    assert "'flyer'" in warning and "'foam'" not in warning and "overshoot" in warning

@@ -23,6 +23,7 @@ class Bench:
     cylinder     plastic releases of solids are not followed: they are no centred fans there (cells mode)
     fan_step     change of velocity over the sound speed below which a release is one jump
     dropped      waves left out so far; crushing   those of them that close pores (cells mode)
+    strongest    region -> strength of the strongest wave followed in it, and of the strongest left out (cells mode)
     unburned     number from which on regions are unburned explosive (cells mode); ideal  Chapman-Jouguet fronts found so far
     walls        velocity of the left and right wall; pressures  at the left and right end
     """
@@ -35,6 +36,7 @@ class Bench:
     pressures: dict[int, float] = field(default_factory=dict)
     dropped: int = 0
     crushing: int = 0
+    strongest: dict[int, tuple[float, float]] = field(default_factory=dict)
     unburned: int = 1 << 60
     ideal: dict = field(default_factory=dict)
     elastic: float = 1.0

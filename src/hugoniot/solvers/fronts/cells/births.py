@@ -71,6 +71,9 @@ def bear(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: B
     given = [_given(front, [left, *pieces, right][k:k + 2]) for k, front in enumerate(fronts)]
     given = _with_scalars(mesh, [left, *pieces, right], fronts, given, bench)
     rows = _without_the_weak(list(zip(fronts, given)), (left, right), pieces, bench, followed)
+    if followed:
+        kept = {id(front) for front, _ in rows[0]} if rows else set()
+        note_strengths([(front, id(front) in kept) for front in fronts], (left.region, right.region), bench)
     position = int(np.count_nonzero(mesh.marked[:face]))
     if rows is None:                          # nothing is left to follow
         del mesh.fronts[position]
@@ -191,6 +194,18 @@ def _without_the_weak(rows, sides, pieces: list[Piece], bench: Bench, followed: 
             del pieces[j]
         bench.dropped += 1
     return (rows, pieces) if rows else None
+
+
+def note_strengths(waves, regions, bench: Bench) -> None:
+    """Keep the strength of the strongest wave of each region that is followed, and of the strongest that is not.
+
+    waves   (front, whether it is followed); regions   on the left and on the right of where they leave
+    """
+    for front, here in waves:
+        if front.direction:
+            region = regions[0 if front.direction < 0 else 1]
+            followed, left = bench.strongest.get(region, (0.0, 0.0))
+            bench.strongest[region] = (max(followed, front.strength), left) if here else (followed, max(left, front.strength))
 
 
 def closes_pores(left: Piece, right: Piece) -> bool:

@@ -1,12 +1,13 @@
 """After a step: fronts that met, bodies that part, shocks that have decayed, compressions that have steepened; the number of cells."""
 
 import dataclasses
+import math
 
 import numpy as np
 
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.solvers.fronts.cells import pores, tables
-from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite
+from hugoniot.solvers.fronts.cells.births import FAN_WEAKEST, bear, collapse, ignite, note_strengths
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
 from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.kinks import cross, reflect, transmit
@@ -16,6 +17,7 @@ from hugoniot.solvers.fronts.cells.steepening import track
 from hugoniot.solvers.fronts.meeting import solve
 
 CRUSHED = 0.02     # difference of compaction on both sides of a shock that has decayed from which on a contact is left there
+REST = 1e-9        # strength of a wave that counts as none
 EDGE = 10          # cells from a vacuum within which one without a valid state is merged with its neighbour
 
 
@@ -25,11 +27,13 @@ class Changes:
     log      called as log(kind, time, position, text)
     ended    called as ended(front, time, position) for every front that is no more
     most     number of fronts beyond which new waves are left to the cells
+    asked    weakest wave to be followed, of the options; strongest   that has arisen so far
     """
 
     def __init__(self, flow: Flow, length: float, most: int, log, ended):
         self.flow, self.length, self.most, self.log, self.ended = flow, length, most, log, ended
         self.meetings = self.captured = self.untracked = self.formed = self.joined = 0
+        self.asked, self.strongest = flow.bench.weakest, 0.0
 
     def after_step(self, mesh: Mesh, time: float) -> None:
         """Do what the step calls for."""
@@ -50,8 +54,11 @@ class Changes:
         """Follow the shocks that have formed among the cells."""
         cell, direction = self.flow.steep(mesh)
         x = float(mesh.middle[cell])
-        if cell >= 0 and track(mesh, self.flow.work.w, cell, direction, time):
+        region = int(mesh.region[cell])
+        if cell >= 0 and (front := track(mesh, self.flow.work.w, cell, direction, time)) is not None:
             self.formed += 1
+            self._met(front.strength)
+            note_strengths([(front, True)], (region, region), self.flow.bench)
             self.log("formed", time, x, "a compression has become a shock, which is now tracked")
 
     def join(self, mesh: Mesh) -> bool:
@@ -126,7 +133,9 @@ class Changes:
         if any(piece.region >= self.flow.bench.unburned for piece in (left, right)):
             if not burning:
                 raise OutOfRange(UNLIT)
+            self._met(math.inf)
             return ignite(mesh, face, left, right, time, bench)
+        self._follow_down_to(mesh, (face,), time)
         self.captured += not followed
         try:
             return bear(mesh, face, left, right, time, bench, followed)
@@ -141,27 +150,31 @@ class Changes:
                 (bench.walls if self.flow.outside[k] == "wall" else bench.pressures)[side] = self.flow.drive(k, time)
         return pieces_at(self.flow, mesh, face, averages)
 
-    def follow_weak_starts(self, mesh: Mesh) -> None:
-        """Where no wave of the start is as strong as the weakest to be followed, a tenth of the strongest takes its place.
+    def _follow_down_to(self, mesh: Mesh, faces, time: float) -> None:
+        """Measure the waves that leave some faces: while none has been as strong as the weakest fan to be followed, a tenth of it counts.
 
-        Elastic waves have their own measure; waves that close pores are measured by the stiffness of the material, as others are. What is
-        weaker by more than a factor of ten counts as rest, and at the ends of a profile small waves are those of its interpolation.
+        Elastic waves have their own measure; waves that close pores are measured by the stiffness of the material, as others are. At the
+        ends of a profile small waves are those of its interpolation.
         """
-        if any(region.profile is not None for region in self.flow.problem.regions):
+        if self.strongest >= FAN_WEAKEST * self.asked or any(region.profile is not None for region in self.flow.problem.regions):
             return
-        bench, strongest = self.flow.bench, 0.0
-        for face in mesh.faces().tolist():
+        bench = self.flow.bench
+        for face in faces:
             if not self._beside_explosive(mesh, face):
-                left, right = self._sides(mesh, face, 0.0)
+                left, right = self._sides(mesh, face, time)
                 found = solve(left, right, bench, False)
                 waves = [(wave, piece) for piece, some in ((left, found.left), (right, found.right)) for wave in some if not wave.elastic]
-                strongest = max([strongest, *(pores.strength(wave, bench.of(piece)) for wave, piece in waves)])
-        if 0.1 * bench.weakest < strongest < bench.weakest:
-            bench.weakest = self.flow.rules.numbers[tables.WEAKEST] = 0.1 * strongest
+                self._met(max((pores.strength(wave, bench.of(piece)) for wave, piece in waves), default=0.0))
+
+    def _met(self, strength: float) -> None:
+        """A wave of this strength has arisen."""
+        self.strongest = max(self.strongest, strength)
+        if self.strongest > REST:
+            self.flow.follow(self.asked if self.strongest >= FAN_WEAKEST * self.asked else 0.1 * self.strongest)
 
     def begin(self, mesh: Mesh, lit: list[float]) -> None:
         """The waves that leave every line at t = 0, and the explosive at the places `lit`."""
-        self.follow_weak_starts(mesh)
+        self._follow_down_to(mesh, mesh.faces().tolist(), 0.0)
         fired = {self._mark(mesh, x) for x in lit}
         fired = {float(mesh.x[f]) for f in range(len(mesh.x)) if float(mesh.x[f]) in fired}
         for face in reversed(mesh.faces().tolist()):

@@ -18,6 +18,8 @@ def payload(solver) -> dict:
             "push": mesh.push.copy(), "level": mesh.level.copy(), "fronts": fronts, "samples": solver.samples,
             "zones": solver.flow.work.zones.copy(), "numbers": solver.flow.work.numbers.copy(),
             "dropped": solver.flow.bench.dropped, "crushing": solver.flow.bench.crushing,
+            "strengths": [[k, *v] for k, v in solver.flow.bench.strongest.items()], "strongest": solver.changes.strongest,
+            "weakest": solver.flow.bench.weakest,
             "changes": [getattr(solver.changes, name) for name in _COUNTS], "passed": solver.flow.work.passed.copy(),
             "start_totals": solver.start_totals.copy(), "start_size": solver.start_size.copy(),
             "refining": solver.refining.numbers(),
@@ -42,6 +44,9 @@ def restore(solver, payload: dict) -> None:
     solver.cycle, solver.step = int(work.numbers[tables.CYCLE]), float(work.numbers[tables.STEP])
     solver.samples = int(payload["samples"])
     solver.flow.bench.dropped, solver.flow.bench.crushing = int(payload["dropped"]), int(payload["crushing"])
+    solver.flow.bench.strongest = {int(k): (float(a), float(b)) for k, a, b in payload["strengths"]}
+    solver.changes.strongest = float(payload["strongest"])
+    solver.flow.follow(float(payload["weakest"]))
     for name, value in zip(_COUNTS, payload["changes"]):
         setattr(solver.changes, name, int(value))
     solver.start_totals, solver.start_size = payload["start_totals"].copy(), payload["start_size"].copy()

@@ -65,6 +65,10 @@ class Flow:
         self.work = tables.make_work(64, self.variables, len(self.laws), np.vstack([middles, extremes.start(len(middles))]), owner)
         self.work.numbers[tables.RESOLUTION] = 1e300
 
+    def follow(self, weakest: float) -> None:
+        """Follow waves from this strength on."""
+        self.bench.weakest = self.rules.numbers[tables.WEAKEST] = weakest
+
     def _rules(self, options: dict, courant: float) -> Rules:
         problem, count = self.problem, len(self.laws)
         passes, words = np.zeros((2 * count, 4), dtype=np.int64), np.zeros(2 * count, dtype=np.int64)

@@ -12,7 +12,8 @@ from hugoniot.problem.model import Problem
 from hugoniot.problem.profiles import velocities_at
 from hugoniot.solvers.fronts import setup
 from hugoniot.solvers.fronts.cells import checkpoint, march, start, tables
-from hugoniot.solvers.fronts.cells.changes import Changes
+from hugoniot.solvers.fronts.cells.births import FAN_WEAKEST
+from hugoniot.solvers.fronts.cells.changes import REST, Changes
 from hugoniot.solvers.fronts.cells.column import CellColumn, Readable
 from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.mesh import EMPTY
@@ -228,12 +229,23 @@ class Cells(Reading):
         pores = [f"waves that close pores were left to the cells {_times(crushing)}: cells alone crush with too little heat, and pressure, "
                  "energy and density behind such a wave may be far off; track it with a smaller solver.options.weakest, or use "
                  'solver.options.mode = "algebraic" or lagrange1d'] if crushing else []
-        found = [*joined, *pores, *self.refining.warnings()]
+        found = [*joined, *pores, *self._too_weak(), *self.refining.warnings()]
         if not self.changes.captured:
             return found
         return [*found, f"waves were left to be captured by the cells {_times(self.changes.captured)}; a shock is then smeared over two "
                 f"or three cells: the waves were too close, or {self.changes.most} fronts were followed already "
                 "(solver.options.most_fronts)"]
+
+    def _too_weak(self) -> list[str]:
+        """Bodies in which the strongest waves, or nearly, were too weak to be followed."""
+        bench = self.flow.bench
+        found = {k: left for k, (followed, left) in sorted(bench.strongest.items()) if left > max(0.5 * followed, REST)}
+        if not found:
+            return []
+        names = " and ".join(f"'{self.problem.regions[k].name}' (strength {left:.1e})" for k, left in found.items())
+        return [f"waves in {names} were weaker than solver.options.weakest ({bench.weakest:g}) and left to the cells, which capture them "
+                "over a few zones: the stress behind them may overshoot, at interfaces by as much as 40 %; "
+                f"make solver.options.weakest smaller than {min(found.values()) / FAN_WEAKEST:.1e}"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
     def payload(self) -> dict:

@@ -54,22 +54,25 @@ def _alike(kept: np.ndarray, near: np.ndarray, far: np.ndarray, jump: float) -> 
     return abs(u - u_near) <= ALIKE * abs(u_near - u_far) and abs(e - e_near) * float(near[0]) <= ALIKE * jump
 
 
-def track(mesh: Mesh, w: np.ndarray, cell: int, direction: int, time: float) -> bool:
-    """Make a captured shock around a cell a front; False where its cells allow none. w: the table, with the averages of the cells."""
+def track(mesh: Mesh, w: np.ndarray, cell: int, direction: int, time: float) -> Front | None:
+    """Make a captured shock around a cell a front, and return it; None where its cells allow none.
+
+    w   the table, with the averages of the cells
+    """
     a, b = cell - 1, cell + 2                                   # the cells that are to become two: a to b
     ahead, behind = (b + 1, a - 1) if direction > 0 else (a - 1, b + 1)
     volume = mesh.volume()
     whole, content = float(volume[a:b + 1].sum()), mesh.q[a:b + 1].sum(axis=0)
     far, near = mesh.q[ahead] / volume[ahead], mesh.q[behind] / volume[behind]
     if not near[0] > far[0]:
-        return False
+        return None
     share = (content[0] / whole - far[0]) / (near[0] - far[0])  # of the volume that is behind the front
     if not 0.15 < share < 0.85:
-        return False
+        return None
     lost = far * whole * (1.0 - share)
     kept = content - lost
     if not _alike(kept / (share * whole), near, far, abs(float(w[P, behind] - w[P, ahead]))):
-        return False
+        return None
     inner = share if direction > 0 else 1.0 - share
     left, right = (kept, lost) if direction > 0 else (lost, kept)
     x, end, d = float(mesh.x[a]), float(mesh.x[b + 1]), mesh.d
@@ -84,4 +87,4 @@ def track(mesh: Mesh, w: np.ndarray, cell: int, direction: int, time: float) -> 
                                                             float(w[RHO, ahead] * w[C, ahead] ** 2))
     front = Front("shock", speed, direction, strength, 1, time, place, (tuple(states[0])[:5], tuple(states[1])[:5]))
     mesh.fronts.insert(int(np.count_nonzero(mesh.marked[:a + 1])), front)
-    return True
+    return front
