@@ -7,7 +7,7 @@ import numpy as np
 
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.solvers.fronts.cells import pores, tables
-from hugoniot.solvers.fronts.cells.births import FAN_WEAKEST, bear, collapse, ignite, note_strengths
+from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite, note_strengths
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
 from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.kinks import cross, reflect, transmit
@@ -151,12 +151,12 @@ class Changes:
         return pieces_at(self.flow, mesh, face, averages)
 
     def _follow_down_to(self, mesh: Mesh, faces, time: float) -> None:
-        """Measure the waves that leave some faces: while none has been as strong as the weakest fan to be followed, a tenth of it counts.
+        """Measure the waves that leave some faces: waves down to a tenth of the strongest so far are followed.
 
         Elastic waves have their own measure; waves that close pores are measured by the stiffness of the material, as others are. At the
         ends of a profile small waves are those of its interpolation.
         """
-        if self.strongest >= FAN_WEAKEST * self.asked or any(region.profile is not None for region in self.flow.problem.regions):
+        if 0.1 * self.strongest >= self.asked:
             return
         bench = self.flow.bench
         for face in faces:
@@ -169,8 +169,8 @@ class Changes:
     def _met(self, strength: float) -> None:
         """A wave of this strength has arisen."""
         self.strongest = max(self.strongest, strength)
-        if self.strongest > REST:
-            self.flow.follow(self.asked if self.strongest >= FAN_WEAKEST * self.asked else 0.1 * self.strongest)
+        if self.strongest > REST and not any(region.profile is not None for region in self.flow.problem.regions):
+            self.flow.follow(min(self.asked, 0.1 * self.strongest))
 
     def begin(self, mesh: Mesh, lit: list[float]) -> None:
         """The waves that leave every line at t = 0, and the explosive at the places `lit`."""

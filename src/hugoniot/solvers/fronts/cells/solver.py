@@ -243,8 +243,8 @@ class Cells(Reading):
         if not found:
             return []
         names = " and ".join(f"'{self.problem.regions[k].name}' (strength {left:.1e})" for k, left in found.items())
-        return [f"waves in {names} were weaker than solver.options.weakest ({bench.weakest:g}) and left to the cells, which capture them "
-                "over a few zones: the stress behind them may overshoot, at interfaces by as much as 40 %; "
+        return [f"waves in {names} were weaker than solver.options.weakest (releases: three times that) and left to the cells, which "
+                "capture them over a few zones: stress and velocity behind them may overshoot, at interfaces by as much as 40 %; "
                 f"make solver.options.weakest smaller than {min(found.values()) / FAN_WEAKEST:.1e}"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
