@@ -28,12 +28,14 @@ class Changes:
     ended    called as ended(front, time, position) for every front that is no more
     most     number of fronts beyond which new waves are left to the cells
     asked    weakest wave to be followed, of the options; strongest   that has arisen so far
+    share    of the strongest wave from which on waves are followed where that is less than asked; more where more than the default is asked
     """
 
     def __init__(self, flow: Flow, length: float, most: int, log, ended):
         self.flow, self.length, self.most, self.log, self.ended = flow, length, most, log, ended
         self.meetings = self.captured = self.untracked = self.formed = self.joined = 0
         self.asked, self.strongest = flow.bench.weakest, 0.0
+        self.share = max(0.1, 10.0 * self.asked)
 
     def after_step(self, mesh: Mesh, time: float) -> None:
         """Do what the step calls for."""
@@ -151,12 +153,12 @@ class Changes:
         return pieces_at(self.flow, mesh, face, averages)
 
     def _follow_down_to(self, mesh: Mesh, faces, time: float) -> None:
-        """Measure the waves that leave some faces: waves down to a tenth of the strongest so far are followed.
+        """Measure the waves that leave some faces: waves down to a share of the strongest so far are followed.
 
         Elastic waves have their own measure; waves that close pores are measured by the stiffness of the material, as others are. At the
         ends of a profile small waves are those of its interpolation.
         """
-        if 0.1 * self.strongest >= self.asked:
+        if self.share * self.strongest >= self.asked:
             return
         bench = self.flow.bench
         for face in faces:
@@ -170,7 +172,7 @@ class Changes:
         """A wave of this strength has arisen."""
         self.strongest = max(self.strongest, strength)
         if self.strongest > REST and not any(region.profile is not None for region in self.flow.problem.regions):
-            self.flow.follow(min(self.asked, 0.1 * self.strongest))
+            self.flow.follow(min(self.asked, self.share * self.strongest))
 
     def begin(self, mesh: Mesh, lit: list[float]) -> None:
         """The waves that leave every line at t = 0, and the explosive at the places `lit`."""
