@@ -9,6 +9,7 @@ from aluminium_decks import EOS, STRENGTH, gauge, impact
 
 import hugoniot
 from hugoniot.errors import DeckError
+from hugoniot.output.run_numbers import gauge_rows
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.simulate import make_solver
 
@@ -126,3 +127,56 @@ def test_of_a_square_pulse_only_what_lies_after_the_start_acts(start, stress):
     for until, pressed in ((0.2e-6, stress), (0.7e-6, 0.0)):
         solver.march(until, 10**9)
         assert solver.line.pieces[1].edge(-1).sigma == pytest.approx(pressed, abs=1.0)
+
+
+PRESSED = """
+stop_time = "0.5 us"
+[[region]]
+name = "a"
+material = "{a}"
+from = "-5 mm"
+to = "0 mm"
+zones = 5
+{pressed_a}
+[[region]]
+name = "b"
+material = "{b}"
+from = "0 mm"
+to = "5 mm"
+zones = 5
+{pressed_b}
+[material.al.eos]
+law = "mie_gruneisen"
+rho0 = "2700 kg/m^3"
+c0 = "5300 m/s"
+s = 1.34
+gamma0 = 2.0
+[material.cu.eos]
+law = "mie_gruneisen"
+rho0 = "8930 kg/m^3"
+c0 = "3940 m/s"
+s = 1.489
+gamma0 = 1.99
+[[gauge]]
+name = "g"
+at = "a/b"
+[solver]
+kind = "fronts"
+"""
+
+
+def test_gauges_at_the_start_are_those_of_the_mirrored_problem(tmp_path):
+    """Aluminium at 5 GPa on copper: at t = 0 nothing moves yet, on both sides of the interface, and free surfaces have no stress."""
+    pressed, rows = 'pressure = "5 GPa"', {}
+    for way, text in ((1, PRESSED.format(a="al", b="cu", pressed_a=pressed, pressed_b="")),
+                      (-1, PRESSED.format(a="cu", b="al", pressed_a="", pressed_b=pressed))):
+        path = tmp_path / f"{way}.toml"
+        path.write_text(text)
+        run = hugoniot.run(path, tmp_path / f"{way}.run", report=False)
+        rows[way] = {row["gauge"]: row for row in gauge_rows(run)}
+        assert set(rows[way]) == {"g", "free surface left", "free surface right"}          # both sides of a closed interface have one velocity
+        assert run.gauges["velocity"].values[0] == pytest.approx(0.0, abs=1e-12)
+        assert run.gauges["stress"].sel(gauge=["free surface left", "free surface right"]).values == pytest.approx(0.0, abs=1.0)
+    for one, other in (("g", "g"), ("free surface left", "free surface right")):
+        assert rows[1][one]["last_velocity"] == pytest.approx(-rows[-1][other]["last_velocity"], rel=1e-9)
+        assert rows[1][one]["arrival"] == pytest.approx(rows[-1][other]["arrival"], rel=1e-9)

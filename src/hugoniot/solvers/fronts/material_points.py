@@ -23,8 +23,10 @@ class Column:
         """(position, state) of the point that has this fraction of the region's mass on its left."""
         mass = min(max(fraction, 0.0), 1.0) * self.mass[-1]
         k = min(max(int(np.searchsorted(self.mass, mass, side="right")) - 1, 0), len(self.rows) - 1)
-        while k + 1 < len(self.rows) and self.mass[k + 1] <= self.mass[k]:
+        while k + 1 < len(self.rows) and self.mass[k + 1] <= self.mass[k]:      # pieces that have no width yet hold no material
             k += 1
+        while k and self.mass[k + 1] <= self.mass[k]:
+            k -= 1
         piece, left, right = self.rows[k]
         inside = min(max(mass - self.mass[k], 0.0), self.mass[k + 1] - self.mass[k])
         if piece.kind == "state":

@@ -83,6 +83,17 @@ class Reading(NothingToAdd):
             return float(names.index(name)), 0.0 if side == "left" else 1.0
         return float(names.index(at.split("/", 1)[0].strip())), 1.0
 
+    def _struck(self) -> bool:
+        """Whether a gauge is on a face at which two bodies that touch have different velocities at t = 0: it has no one velocity then."""
+        regions = self.problem.regions
+        for k, share in ((int(k), float(share)) for k, share in self.gauges):
+            left, right = (k, k + 1) if share == 1.0 else (k - 1, k)
+            if share in (0.0, 1.0) and left >= 0 and right < len(regions) and regions[left].end == regions[right].start:
+                face = np.array([regions[right].start])
+                if setup.start_velocities(regions[left], face)[0] != setup.start_velocities(regions[right], face)[0]:
+                    return True
+        return False
+
     def _next_sample(self) -> float:
         return self.samples * self.interval if len(self.gauges) else math.inf
 

@@ -44,7 +44,10 @@ class Fronts(Reading):
         self.extremes.note(self.line.pieces, self.line.fronts, 0.0)
         self._changed = {side: 1 for side in (-1, 1)}       # steps of the drives that have been set
         self.start_totals, self.start_size = self.line.totals(), self._size()
-        self._sample()
+        if self._struck():
+            self.samples = 1
+        else:
+            self._sample()
 
     # -- marching ----------------------------------------------------------------------------------------------------
     @property
@@ -54,6 +57,15 @@ class Fronts(Reading):
     def column(self, region: int) -> Column:
         """The material of a region now."""
         return Column(self.line.pieces, self.line.fronts, region, self.time)
+
+    def _stress(self, region: int, fraction: float, point) -> float:
+        """Stress at a gauge, Pa: on a surface the pressure applied to it, also at t = 0, before any wave has left."""
+        if fraction not in (0.0, 1.0):
+            return point.sigma
+        pieces, side = self.line.pieces, 2 * int(fraction) - 1
+        own = [k for k, piece in enumerate(pieces) if piece.region == region]
+        beyond = pieces[own[-1] + 1 if side > 0 else own[0] - 1]
+        return {"vacuum": 0.0, "pressure": self.bench.pressures.get(side, 0.0)}.get(beyond.kind, point.sigma)
 
     @property
     def zone_updates(self) -> int:

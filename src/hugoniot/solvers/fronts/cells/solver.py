@@ -57,21 +57,12 @@ class Cells(Reading):
 
     def _sample_first(self) -> None:
         """Gauges at t = 0: before any wave has left. A face between regions that move against each other has no one velocity then."""
-        if any(self._struck(int(k), float(share)) for k, share in self.gauges):
+        if self._struck():
             self.samples = 1
             return
         born, self.mesh = self.mesh, start.first_mesh(self.problem, self.flow.spacing, self.flow.variables)
         self._sample()
         self.mesh, self._read_at = born, (-1, 0)
-
-    def _struck(self, k: int, share: float) -> bool:
-        """Whether a gauge is on a face at which two bodies that touch have different velocities at t = 0."""
-        left, right = (k, k + 1) if share == 1.0 else (k - 1, k)
-        regions = self.problem.regions
-        if share not in (0.0, 1.0) or left < 0 or right == len(regions) or regions[left].end < regions[right].start:
-            return False
-        face = np.array([regions[right].start])
-        return velocities_at(regions[left], face)[0] != velocities_at(regions[right], face)[0]
 
     @property
     def time(self) -> float:
