@@ -125,7 +125,7 @@ def test_the_two_methods_meet(monkeypatch):
         assert curve.entropy_conductive == pytest.approx(along_x.entropy_conductive, rel=1e-7)
 
 
-@pytest.mark.parametrize("mach", [1.001, 1.003, 1.01])
+@pytest.mark.parametrize("mach", [1.0001, 1.0005, 1.001, 1.003, 1.01])
 def test_weak_shocks_follow_the_exact_weak_limit(mach):
     """Taylor's weak shock: thickness = 4 diffusivity/((gamma+1)/2 ... ) -> delta (M - 1) tends to a constant; here to second order."""
     gamma, prandtl = 5.0 / 3.0, 2.0 / 3.0
@@ -136,6 +136,12 @@ def test_weak_shocks_follow_the_exact_weak_limit(mach):
     a = 2.0 * sound * (mach - 1.0) / (gamma + 1.0)
     weak = 4.0 * diffusivity / ((gamma + 1.0) * a)
     assert argon(mach).thickness() == pytest.approx(weak, rel=3.0 * (mach - 1.0))
+
+
+@pytest.mark.parametrize("mach", [1.00003, 1.00001, 1.000001])
+def test_shocks_that_round_off_hides_are_refused(mach):
+    with pytest.raises(NoSolution, match="too weak"):
+        argon(mach)
 
 
 # -- profiles ----------------------------------------------------------------------------------------------------------------

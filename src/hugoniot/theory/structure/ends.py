@@ -133,6 +133,8 @@ def _polished(ends: Ends, v: float) -> float:
     h = 1e-7 * (1.0 / ends.upstream.density - v)
     for _ in range(3):
         slope = (ends.excess(best + h) - ends.excess(best - h)) / (2.0 * h)
+        if slope == 0.0:      # so weak a shock that round-off hides its excess
+            break
         new = best - miss / slope
         trial = ends.excess(new)
         if not abs(trial) < abs(miss):

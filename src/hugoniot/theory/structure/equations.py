@@ -29,6 +29,8 @@ from hugoniot.theory.structure.ends import Ends
 from hugoniot.theory.structure.slow_manifold import slow_manifold
 
 STIFF = 8.0  # ratio of the upstream rates above which the trajectory is found as a curve, not along x
+TOO_STIFF = 300.0  # ratio above which it cannot be found along x: that would take minutes
+_COARSEST = 2e-6  # relative tolerance that round-off allows
 _START, _STOP = 1e-7, 1e-9  # distance from the ends, as a part of the jump
 _ALONG = (0.003, 0.01, 0.03, 0.1, 0.3, 0.5, 0.9)  # of the way from one end to the other
 _LEAST_RATIO = 1e-4  # of c_v / c_p that a stable state has
@@ -174,6 +176,9 @@ class Equations:
 
         With a slow manifold the second unknown is that curve's value and not part of the solution.
         """
+        if not _ROUND_OFF / self.jump**2 < _COARSEST:
+            raise NoSolution(f"the shock is too weak: its volume falls by {self.jump:.2g} of itself, and round-off hides the stress that "
+                             "drives it; try a stronger shock")
         rate, direction, ahead = self.directions()
         if not (rate < 0.0 and ahead[0] > 0.0):
             raise NoSolution("the ends of this shock are too close to be distinguished in double precision; try a stronger shock")
@@ -192,6 +197,10 @@ class Equations:
         with np.errstate(all="ignore"):
             if ahead[-1] / ahead[0] > STIFF:
                 curve = self._curve(10.0 * rtol)
+            if curve is None and ahead[-1] / ahead[0] > TOO_STIFF:
+                raise NoSolution("the heat flux spreads over a length so different from that of the viscous stress, as in weak shocks and "
+                                 "strong conductors, that the equations are too stiff, and the profile is not smooth enough for the "
+                                 "method that treats stiff ones; try a stronger shock or another conductivity")
             if curve is not None:
                 start[1] = curve(start[0])
 

@@ -26,7 +26,7 @@ def slow_manifold(rates, tolerance: float):
     for n in _SIZES:
         s = np.cos(np.pi * (np.arange(n) + 0.5) / n)
         guess = _quasi_steady(rates, 0.5 * (s + 1.0)) if q is None else chebyshev.chebval(s, q)
-        values, converged = _newton(rates, s, guess)
+        values, converged = _newton(rates, s, guess, max(tolerance, 1e-8))
         if not converged:
             continue
         q = chebyshev.chebfit(s, values, n - 1)
@@ -48,8 +48,8 @@ def _quasi_steady(rates, y):
     return np.array(found)
 
 
-def _newton(rates, s, q):
-    """Values of q at the points s after Newton's method; whether it converged (to round-off, or as far as round-off allows)."""
+def _newton(rates, s, q, near: float):
+    """Values of q at the points s after Newton's method; whether it converged: to round-off, or to `near` and no further."""
     y = 0.5 * (s + 1.0)
     bubble, slope = y * (1.0 - y), 1.0 - 2.0 * y
     n = len(s)
@@ -71,7 +71,7 @@ def _newton(rates, s, q):
         q = q + change
         if not np.isfinite(size):
             return q, False
-        if size < 1e-13 or (last < 1e-8 and size >= 0.5 * last):
+        if size < 1e-13 or (last < near and size >= 0.5 * last):
             return q, True
         last = size
-    return q, last < 1e-8
+    return q, last < near
