@@ -106,7 +106,7 @@ def sweep(
     for law in laws:
         subject = _subject(what, law, conduction, prandtl, bulk_ratio, (density, temperature, pressure))
         profiles = run(subject["eos"], subject["transport"], machs, subject["ahead"])
-        gas = profiles[0].ends.upstream.pressure > 1e-3 * profiles[0].ends.upstream.density * profiles[0].ends.upstream.sound_speed**2
+        gas = bool(_paths(profiles[0]))
         lengths = [p.mean_free_path(unit) if gas else 1e-9 for p in profiles]
         values = [length / p.thickness() for length, p in zip(lengths, profiles)]
         curves.append((law or what, machs, values))

@@ -188,12 +188,30 @@ def _read_shock(raw: Any, regions, collector: Collector) -> dict | None:
                       "give mach, shock_velocity, particle_velocity or pressure")
         return None
     shock = {name: value for name, value in table.model_dump().items() if value is not None}
+    _check_states(regions, shock["frame"], collector)
     if regions:
         left, right = regions[0].start, regions[-1].end
         shock.setdefault("at", 0.5 * (left + right))
         if not left < shock["at"] < right:
             collector.add(("solver", "shock", "at"), f"{shock['at']:g} m lies outside the domain from {left:g} m to {right:g} m")
     return shock
+
+
+def _check_states(regions, frame: str, collector: Collector) -> None:
+    """States that a shock would replace: the material ahead has that of the first region, all else follows from the shock."""
+    for k, region in enumerate(regions):
+        if k:
+            for name in ("density", "pressure", "temperature", "energy"):
+                if getattr(region, name) not in (None, getattr(regions[0], name)):
+                    collector.add(("region", k, name), "has no effect: [solver.shock] sets the states of all regions, from that of the "
+                                  "first one and the strength of the shock", "leave it out, or leave [solver.shock] out")
+        ahead = regions[0].velocity if k else 0.0
+        if frame == "standing" and region.velocity not in (0.0, (0.0, 0.0)):
+            collector.add(("region", k, "velocity"), "has no effect: the shock stands, and the velocities ahead of it and behind follow",
+                          'leave it out, or give solver.shock.frame = "moving"')
+        elif (k and region.velocity not in (0.0, ahead)) or (isinstance(region.velocity, tuple) and len(set(region.velocity)) > 1):
+            collector.add(("region", k, "velocity"), "has no effect: the material ahead has the velocity at the left end of the first "
+                          "region, that behind the shock follows", "give the first region one velocity, the others none")
 
 
 def write(problem: Problem) -> dict:

@@ -307,3 +307,39 @@ def test_energies_of_the_picture(name, rises):
     assert (curves["kinetic"][-1] > curves["internal"][-1]) == (not rises)
     for words in ("stress and heat flux", "momentum terms × δ / ρ₁c₁²", "energy terms × δ / ρ₁c₁³", "entropy; production × δ / jΔs"):
         assert words in panels
+
+
+SECOND = '[[region]]\nname = "behind"\nmaterial = "argon"\nfrom = "1.2 um"\nto = "1.4 um"\nzones = 10\n'
+
+
+@pytest.mark.parametrize("state, frame, words", [
+    ('density = "5 kg/m^3"', "standing", "region.behind.density: has no effect"),
+    ('velocity = "1 km/s"', "moving", "region.behind.velocity: has no effect"),
+    ('velocity = "1 km/s"', "standing", "region.behind.velocity: has no effect"),
+])
+def test_states_that_the_shock_replaces_are_refused(state, frame, words):
+    text = EXAMPLE.read_text().replace('frame = "standing"', f'frame = "{frame}"').replace("[material", f"{SECOND}{state}\n\n[material", 1)
+    assert words in told(text)
+    read_deck_text(text.replace(state, 'density = "1.62 kg/m^3"'))
+
+
+def test_a_velocity_of_the_material_ahead_needs_a_moving_shock():
+    text = EXAMPLE.read_text().replace("zones = 150", 'zones = 150\nvelocity = "500 m/s"')
+    assert "region.gas.velocity: has no effect" in told(text)
+    read_deck_text(text.replace('frame = "standing"', 'frame = "moving"'))
+
+
+def test_no_thickness_without_a_shock():
+    """Between the ends of a shock tube lie three waves: the difference of their densities is the jump of none."""
+    text = EXAMPLE.read_text()
+    start, end = text.index("[solver.shock]"), text.index("[output]")
+    text = (text[:start] + text[end:]).replace("[material", f'{SECOND}density = "0.2 kg/m^3"\n\n[material', 1)
+    assert "density_thickness" not in simulate.make_solver(read_deck_text(text).problem).results()
+
+
+def test_only_gases_have_a_mean_free_path(capsys):
+    """Water at 1 GPa has a pressure, but rho c^2 / p = 2.6; in argon it is 5/3."""
+    for what, known in (("water", False), ("argon", True)):
+        more = ["--pressure", "1 GPa"] if what == "water" else []
+        code, out, _ = call(capsys, "structure", "profile", what, "--viscosity", "1 mPa s", "--mach", "1.5", "--json", *more)
+        assert code == 0 and ("mean_free_path_bsl" in json.loads(out)) is known

@@ -17,13 +17,16 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
+from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import contract as eos_laws
+from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.transport.mean_free_path import mean_free_path, viscosity_exponent
 from hugoniot.theory.structure.ends import Ends, find_ends
 from hugoniot.theory.structure.equations import Equations
 
 FIELDS = ("density", "velocity", "pressure", "energy", "temperature", "viscous_stress", "heat_flux", "viscosity", "conductivity",
           "entropy", "entropy_production_viscous", "entropy_production_conductive")
+STIFFEST_GAS = 2.0     # rho c^2 / p: 5/3 or less in dilute gases, 2.6 in water at 1 GPa
 _DECAYS = 24    # e-folding lengths that the tails are followed beyond the integration
 _PER_STEP = 4   # points per step of the integration at which gradients are looked at
 
@@ -181,8 +184,13 @@ class Profile:
         """Mean free path ahead, m, in a named definition (laws.transport.mean_free_path).
 
         exponent   omega of mu ~ T^omega, for "vhs"; default that of the viscosity law at the temperature ahead
+        Raises `OutOfRange` where the material ahead is no gas, so that p/rho says nothing about the speed of its molecules.
         """
         one = self.ends.upstream
+        stiffness = one.density * one.sound_speed**2
+        if EOS.of(self.ends.eos).name != "ideal_gas" and stiffness > STIFFEST_GAS * one.pressure:
+            raise OutOfRange(f"a mean free path needs a gas: rho c^2 ahead is {stiffness:.3g} Pa at a pressure of {one.pressure:.3g} Pa; "
+                             "give lengths in m")
         mu = self._points(np.array([self.x[0]]))[0]["viscosity"]
         omega = viscosity_exponent(one.density, one.temperature, self.transport.shear) if exponent is None else exponent
         return mean_free_path(definition, mu, one.density, one.pressure, omega)
