@@ -67,12 +67,12 @@ def drive_of(end: Boundary) -> Drive:
     pulse = end.pulse
     if pulse is None:
         return Drive([(0.0, 0.0)])
-    end = pulse.start + pulse.duration if pulse.shape == "square" else math.inf
-    if end <= 0.0:
+    over = pulse.start + pulse.duration if pulse.shape == "square" else math.inf
+    if over <= 0.0:
         return Drive([(0.0, 0.0)])
     steps = [(0.0, 0.0)] if pulse.start > 0.0 else []
     steps.append((max(pulse.start, 0.0), pulse.amplitude))
-    return Drive(steps if end == math.inf else [*steps, (end, 0.0)])
+    return Drive(steps if over == math.inf else [*steps, (over, 0.0)])
 
 
 def grips_of(problem: Problem) -> list[float]:
