@@ -16,8 +16,8 @@ import numpy as np
 from hugoniot.diagnostics.stress2d import lode_angle, von_mises
 from hugoniot.diagnostics.temperature import solid_density
 from hugoniot.laws.arrays import entropy_array, shear_modulus_array
-from hugoniot.laws.eos.contract import gives
 from hugoniot.laws.strength.contract import STRENGTH
+from hugoniot.problem.output_fields import gives_entropy
 
 
 def distortion_energy(zones, squares, region_of, regions, materials, temperature=None) -> np.ndarray:
@@ -45,7 +45,7 @@ def distortion_energy(zones, squares, region_of, regions, materials, temperature
 
 def has_entropy(material) -> bool:
     """Whether a material's zones have an entropy: an inert one whose law gives it."""
-    return material.burn is None and gives(material.eos, "entropy")
+    return material.burn is None and gives_entropy(material.eos)
 
 
 class EnergyModes:

@@ -16,7 +16,7 @@ from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.materials import burning
 from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.material import Material
-from hugoniot.problem import checks, explosives, lagrangian, windows
+from hugoniot.problem import checks, explosives, lagrangian, output_fields, windows
 from hugoniot.problem.advice import advice_on_speeds, unlikely_constants
 from hugoniot.problem.defaults import completed
 from hugoniot.problem.lagrangian import (
@@ -70,6 +70,14 @@ class SolverTable(Table):
     options: OptionsTable = Field(default_factory=OptionsTable, description="further options, [solver.options]")  # type: ignore[arg-type]
 
 
+class FrontsOutputTable(OutputTable):
+    """What a run stores, and how often."""
+
+    gauge_interval: Annotated[float, Quantity("s", least=0.0)] = Field(
+        0.0, description="time between samples of the gauges, and so the resolution of arrival times (fronts.csv has the exact paths of "
+        "the fronts); 0: a thousandth of stop_time")
+
+
 class Model(Table):
     """The solver `fronts` follows shocks, fans and contacts in one dimension as sharp fronts, without artificial viscosity.
 
@@ -90,7 +98,7 @@ class Model(Table):
     lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="mode cells only: detonators, [[lighting]]")
     gauge: list[GaugeTable] = Field(default_factory=list, max_length=10_000, description="Lagrangian gauges, [[gauge]]")
     solver: SolverTable = Field(description="the solver and its options, [solver]")
-    output: OutputTable = Field(default_factory=OutputTable, description="what is stored, [output]")  # type: ignore[arg-type]
+    output: FrontsOutputTable = Field(default_factory=FrontsOutputTable, description="what is stored, [output]")  # type: ignore[arg-type]
 
 
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem | None, list[str]]:
@@ -116,7 +124,8 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     lighting = tuple(Lighting(row.at, row.time) for row in model.lighting)
     problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, options, output,
                       lighting)
-    for defect in (*explosives.defects(problem), *windows.defects(problem)):
+    for defect in (*explosives.defects(problem), *windows.defects(problem),
+                   *output_fields.defects(problem.output, problem.regions, problem.materials)):
         collector.add(*defect)
     for path, message in defects(problem):
         collector.add(path, message)

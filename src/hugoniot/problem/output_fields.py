@@ -2,7 +2,7 @@
 
 
 from hugoniot.core.fields import FIELDS
-from hugoniot.laws.eos.contract import gives
+from hugoniot.laws.eos.contract import gives, has_temperature
 from hugoniot.laws.fracture.contract import opens_voids
 from hugoniot.materials.collect import nearest, printable
 
@@ -26,10 +26,15 @@ def trouble_with(name: str, raw: dict) -> tuple[str, str] | None:
 def defects(output, regions, materials) -> list[tuple[tuple, str, str]]:
     """(place in the deck, message, way out) of fields that no material of the regions, or blocks, has."""
     used, found = [materials[region.material] for region in regions], []
-    if "entropy" in output.fields and not any(material.burn is None and gives(material.eos, "entropy") for material in used):
+    if "entropy" in output.fields and not any(material.burn is None and gives_entropy(material.eos) for material in used):
         found.append((("output", "fields"), "no material of this problem has an entropy",
-                      "its equations of state give none; leave the field out"))
+                      "its equations of state give none, or lack the specific_heat for one; leave the field out"))
     if "void_fraction" in output.fields and not any(opens_voids(material.fracture) for material in used):
         found.append((("output", "fields"), "no material of this problem opens voids",
                       "none has a fracture law such as spall_stress; leave the field out"))
     return found
+
+
+def gives_entropy(eos) -> bool:
+    """Whether the law gives an entropy with these parameters, which it does not without a temperature."""
+    return gives(eos, "entropy") and has_temperature(eos)

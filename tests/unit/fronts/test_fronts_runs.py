@@ -180,3 +180,10 @@ def test_gauges_at_the_start_are_those_of_the_mirrored_problem(tmp_path):
     for one, other in (("g", "g"), ("free surface left", "free surface right")):
         assert rows[1][one]["last_velocity"] == pytest.approx(-rows[-1][other]["last_velocity"], rel=1e-9)
         assert rows[1][one]["arrival"] == pytest.approx(rows[-1][other]["arrival"], rel=1e-9)
+
+
+def test_an_entropy_that_no_material_has_is_refused_before_the_run():
+    """Mie-Grüneisen has an entropy with a specific heat only; the deck passed the check, and the run stopped at its first snapshot."""
+    asked = FLUID.replace("[output]\n", '[output]\nfields = ["entropy"]\n')
+    with pytest.raises(DeckError, match="has an entropy"):
+        read_deck_text(asked)
