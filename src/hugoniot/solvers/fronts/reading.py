@@ -105,11 +105,15 @@ class Reading(NothingToAdd):
             if k not in columns:
                 columns[k] = self.column(k)
             x, point, matter, burned = self._point(k, columns[k], fraction)
-            found = [x, point.u, point.rho, point.e, point.pressure, point.s, _hoop(point, matter), self._stress(k, fraction, point),
-                     point.compaction]
+            found = [x, self._velocity(k, fraction, point), point.rho, point.e, point.pressure, point.s, _hoop(point, matter),
+                     self._stress(k, fraction, point), point.compaction]
             row.append([*found, *_phases(point, matter, burned)] if self.burning else found)
         self._times.append(self.time)
         self._rows.append(row)
+
+    def _velocity(self, region: int, fraction: float, point) -> float:
+        """Velocity at a gauge, m/s."""
+        return point.u
 
     def _stress(self, region: int, fraction: float, point) -> float:
         """Stress at a gauge, Pa; of states between exact fronts that of a surface is the one applied to it."""

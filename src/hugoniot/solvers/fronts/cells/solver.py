@@ -153,13 +153,27 @@ class Cells(Reading):
         region = max(region, 0) % len(self.problem.regions)
         return int(np.searchsorted(self.region_of, region)), self.problem.regions[region].name
 
+    def _ends_of(self, region: int) -> tuple[int, int]:
+        """First and last cell of a region."""
+        mesh = self.mesh
+        own = np.flatnonzero((mesh.region != EMPTY) & (mesh.region % len(self.problem.regions) == region))
+        return int(own[0]), int(own[-1])
+
+    def _velocity(self, region: int, fraction: float, point) -> float:
+        """Velocity at a gauge, m/s: at the edge of a gas in vacuum that of the edge, as its last cell is wide and nearly empty."""
+        if fraction not in (0.0, 1.0) or not self.flow.rules.traits[region, tables.GAS]:
+            return point.u
+        mesh, side = self.mesh, int(fraction)
+        face = self._ends_of(region)[side] + side
+        front = mesh.fronts[int(np.count_nonzero(mesh.marked[:face]))]
+        return front.speed if front.kind == "surface" and mesh.region[face - side] < self.flow.bench.unburned else point.u
+
     def _stress(self, region: int, fraction: float, point) -> float:
         """Stress at a gauge, Pa: on a surface the pressure applied to it, which the parabola of its cell meets only in the mean."""
         if fraction not in (0.0, 1.0):
             return point.sigma
         mesh, side = self.mesh, int(fraction)
-        own = np.flatnonzero((mesh.region != EMPTY) & (mesh.region % len(self.problem.regions) == region))
-        beyond = int(own[-1]) + 1 if side else int(own[0]) - 1
+        beyond = self._ends_of(region)[side] + (1 if side else -1)
         if not 0 <= beyond < len(mesh.region):
             kind = (self.problem.left, self.problem.right)[side].kind
             return {"free": 0.0, "pressure": self.flow.drive(side, self.time)}.get(kind, point.sigma)
