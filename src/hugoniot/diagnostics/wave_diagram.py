@@ -51,6 +51,8 @@ def raster(time, left, right, field, size=(360, 640), window=None, follow: bool 
         origin = np.clip(zone - np.rint(way * weight).astype(int), start, end)
         aim = np.clip(zone + np.rint(way * (1 - weight)).astype(int), start, end)
         values = (1 - weight) * before[2][origin] + weight * behind[2][aim]
+        if len(time) > 1:      # a zone is between what it was and what it will be, whatever looks alike elsewhere
+            values = np.clip(values, *(bound(before[2], behind[2])[zone] for bound in (np.minimum, np.maximum)))
         image[row] = np.where(inside, values, np.nan)
     return Raster(image, times, x)
 

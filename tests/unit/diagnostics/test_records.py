@@ -248,3 +248,19 @@ def test_a_fall_within_one_record_leaves_the_other_slope():
     time, velocity = np.array([0, 1, 2, 3, 4.0]), np.array([0.0, 100, 100, 50, 90])
     found = PullBack(100, 2, 50, 3, 90, 4)
     assert np.isfinite(kanel_correction(time, velocity, found, 1.0, 1.0, 2.0))
+
+
+def test_a_wave_that_grows_is_not_carried_where_nothing_was():
+    """The self-similar wave behind a detonation: its shape changes as it moves, and windows of undisturbed zones match anything undisturbed.
+
+    In the zones that the front has not reached in the second of two records there is nothing between them either, and no hole behind it.
+    """
+    zones, speed = 60, 0.72
+    left = np.tile(np.arange(zones, dtype=float), (40, 1))
+    front = zones - speed * np.arange(40)[:, None]
+    field = np.where(left >= front, 1.0 - 0.9 * (left - front) / np.maximum(zones - front, 1.0), 0.0)
+    found = raster(np.arange(40.0), left, left + 1.0, field, size=(400, zones))
+    for row, t in zip(found.values, found.time):
+        k = min(int(t), 38)
+        low, high = np.minimum(field[k], field[k + 1]), np.maximum(field[k], field[k + 1])
+        assert (row >= low - 1e-12).all() and (row <= high + 1e-12).all()
