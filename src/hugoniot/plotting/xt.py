@@ -17,7 +17,8 @@ def xt(run, field: str = "stress", ax=None, window=None, times=None, limits=None
 
     Snapshots are read one by one, so that those of a million zones fit into memory.
 
-    A run that tracks fronts has them as lines: shocks thick, by strength; elastic shocks dashed; edges of fans and expansions thin.
+    A run that tracks fronts has them as lines: shocks (by strength) and detonations thick, elastic shocks dashed, edges of fans and
+    expansions thin.
 
     window     (lowest, highest) position in m; default all material, but no further out than the bodies at t = 0 are wide together
     times      (first, last) time in s; default the whole run
@@ -114,7 +115,8 @@ def _draw_edges(ax, region, time, left, right, fx) -> None:
 def _draw_fronts(ax, run, fx, ft) -> None:
     """Every tracked wave as a line from where it arose to where it ended."""
     rows = run.fronts
-    styles = (("shock", 1.6, "solid"), ("elastic shock", 1.2, (0, (3, 1.5))), ("fan", 0.6, "solid"), ("expansion", 0.6, "solid"))
+    styles = (("shock", 1.6, "solid"), ("detonation", 1.6, "solid"), ("elastic shock", 1.2, (0, (3, 1.5))), ("fan", 0.6, "solid"),
+              ("expansion", 0.6, "solid"))
     for words, width, dashes in styles:
         chosen = [k for k, kind in enumerate(rows.get("kind", ())) if kind == words or words in ("fan", "expansion") and words in kind]
         ends = [[(rows[f"{e}position"][k] * fx, rows[f"{e}time"][k] * ft) for e in ("", "end_")] for k in chosen]

@@ -166,6 +166,10 @@ def test_a_deck_of_a_charge_runs_to_the_plate(tmp_path):
     summary = json.loads((run.folder / "summary.json").read_text())
     assert summary["status"] == "done" and summary["energy_error"] < 1e-12
     assert run.gauges["velocity"].values.max() > 2000.0                # the free surface of the plate
+    lines = [line for drawn in run.plot.xt("pressure").collections if hasattr(drawn, "get_segments") for line in drawn.get_segments()]
+    last = [rows[-1][name] for name in ("position", "time", "end_position", "end_time")]
+    drawn = [np.ravel(line) for line in lines if len(line) == 2]                                     # in mm and us
+    assert any(line == pytest.approx([float(number) * unit for number, unit in zip(last, (1e3, 1e6, 1e3, 1e6))]) for line in drawn)
 
 
 @pytest.mark.parametrize("change, words", [
