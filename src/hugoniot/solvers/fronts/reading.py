@@ -13,6 +13,7 @@ from hugoniot.laws.eos.contract import flagged
 from hugoniot.laws.riemann.branch import elastic, wave_speed_squared
 from hugoniot.laws.riemann.medium import Frozen, mixed_phases
 from hugoniot.problem.model import Problem
+from hugoniot.problem.profiles import velocities_at
 from hugoniot.solvers.fronts import extremes, setup
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State
@@ -90,7 +91,7 @@ class Reading(NothingToAdd):
             left, right = (k, k + 1) if share == 1.0 else (k - 1, k)
             if share in (0.0, 1.0) and left >= 0 and right < len(regions) and regions[left].end == regions[right].start:
                 face = np.array([regions[right].start])
-                if setup.start_velocities(regions[left], face)[0] != setup.start_velocities(regions[right], face)[0]:
+                if velocities_at(regions[left], face)[0] != velocities_at(regions[right], face)[0]:
                     return True
         return False
 
