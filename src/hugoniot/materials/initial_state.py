@@ -150,10 +150,10 @@ def initial_state(eos, density=None, pressure_=None, temperature_=None, energy=N
 
 
 def refuse_below_zero(rho, e, eos, remedy: str = "") -> None:
-    """OutOfRange for a state whose temperature would be negative; where no specific heat is known, whatever it were."""
+    """OutOfRange for a state whose temperature would be negative; of products without a known specific heat, whatever it were."""
     known = has_temperature(eos)
     if not known:
-        if not (gives(eos, "temperature") and "specific_heat" in eos._fields):
+        if not ("reacted" in EOS.of(eos).flags and gives(eos, "temperature") and "specific_heat" in eos._fields):
             return
         eos = eos._replace(specific_heat=ENDLESS)
     warm = float(temperature(rho, e, eos))

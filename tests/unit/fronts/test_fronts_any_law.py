@@ -1,7 +1,6 @@
 """Any equation of state in both modes: a piston that starts and stops, and what laws that are not smooth, or bear little, ask for."""
 
 import dataclasses
-import math
 from types import MappingProxyType
 
 import pytest
@@ -39,10 +38,13 @@ def marched(problem):
 
 
 @pytest.mark.parametrize("side", [0, 1])
-def test_a_gas_leaves_a_piston_that_stops(side):
-    """Cold products run behind it into vacuum; the wall goes on alone, and what ran away is conserved."""
-    products = EOS.get("jwl").example._replace(specific_heat=math.nan)     # so cold that a temperature would be below absolute zero
-    solver = marched(pushed(products, "cells", side=side))
+def test_a_gas_leaves_a_piston_that_is_drawn_away(side):
+    """Products at 1 GPa run behind it into vacuum at less than its 8 km/s; the wall goes on alone, and what ran away is conserved."""
+    problem = pushed(EOS.get("jwl").example, "cells", side=side)
+    layer = dataclasses.replace(problem.regions[0], density=800.0, pressure=1e9)
+    away = Boundary("velocity", Pulse("constant", -8e3 if side == 0 else 8e3, 1e-7))
+    problem = dataclasses.replace(problem, regions=(layer,), **{"left" if side == 0 else "right": away})
+    solver = marched(problem)
     assert solver.counts()["voids_opened"] == 1
     assert max(solver.errors().values()) < 1e-12
     _, kinds, _ = solver.front_table()

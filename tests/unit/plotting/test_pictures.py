@@ -137,9 +137,9 @@ def test_the_setup_is_to_scale(run):
 
 def test_unknown_fields_and_gauges_are_answered_with_what_there_is(run):
     for call in (lambda: run.plot.xt("presure"), lambda: run.plot.profile("presure")):
-        with pytest.raises(DeckError, match="hold no 'presure'; did you mean 'pressure'"):
+        with pytest.raises(DeckError, match="do not contain 'presure'; did you mean 'pressure'"):
             call()
-    with pytest.raises(DeckError, match="hold no '5'; it has: "):
+    with pytest.raises(DeckError, match="do not contain '5'; it has: "):
         run.plot.peaks(5)
     for call in (lambda: run.plot.gauge("stress", "nowhere"), lambda: run.plot.gauge(names=["nowhere"]), lambda: run.plot.free_surface("nowhere")):
         with pytest.raises(DeckError, match="no gauge 'nowhere'; this run has: middle, free surface"):

@@ -197,10 +197,8 @@ def _without_the_weak(rows, sides, pieces: list[Piece], bench: Bench, followed: 
 
 
 def note_strengths(waves, regions, bench: Bench) -> None:
-    """Keep the strength of the strongest wave of each region that is followed, and of the strongest that is not.
-
-    waves   (front, whether it is followed); regions   on the left and on the right of where they leave
-    """
+    """Keep the strengths of the strongest wave that is followed, and not, of the regions left and right of where they leave; waves: (front,
+    whether it is followed)."""
     for front, here in waves:
         if front.direction:
             region = regions[0 if front.direction < 0 else 1]
