@@ -25,6 +25,7 @@ _STATED = {
     "valid_up_to": "particle velocity at which the valid range ends",
 }
 _MODELS = {"SG": "Steinberg-Guinan", "JC": "Johnson-Cook"}
+_FORMS = {"vinet": "Vinet", "birch_murnaghan": "Birch and Murnaghan"}
 _TABLES = {"jwlb": "JWLB detonation products", "ignition_growth": "ignition and growth", "ptw": "Preston-Tonks-Wallace",
            "gurney": "Gurney velocity", "tillotson": "Tillotson", "pop_plot": "Pop plot"}
 _PLACE = re.compile(r"([\w.-]+/[\w.-]+)@([0-9a-f]{7,40})(?: \(gh-pages\))?(?::(.*))?", re.DOTALL)
@@ -141,8 +142,8 @@ def row_summary(row: Row) -> str:
         reaches = f", for particle velocities up to {row['up_max']:g} m/s" if "up_max" in row else ", range not stated"
         text = density + hugoniot_text(row) + reaches
     elif row.table == "compression":
-        text = (f"density {row['rho0']:.5g} kg/m3, isothermal bulk modulus {row['bulk_modulus'] / 1e9:.4g} GPa with pressure derivative "
-                f"{row['bulk_modulus_slope']:g}")
+        text = (f"density {row['rho0']:.5g} kg/m3, isotherm of {_FORMS[row['form']]} with bulk modulus "
+                f"{row['bulk_modulus'] / 1e9:.4g} GPa and its pressure derivative {row['bulk_modulus_slope']:g}")
     elif row.table == "jwl":
         stated = f", detonation velocity {row['detonation_velocity']:g} m/s" if "detonation_velocity" in row else ""
         what = "detonation products" if row["role"] == "products" else "unreacted explosive"

@@ -40,7 +40,8 @@ def card(row: Row, family: str = "") -> Card:
 def _us_up(row: Row) -> Card:
     form = row["form"]
     if form not in _LAW_OF_FORM:
-        raise ValueError(f"row {row.id}: the package has no equation of state for a Hugoniot of the form '{form}'")
+        name = f"'{form}'" + (" (universal liquid Hugoniot)" if form == "ulh" else "")
+        raise ValueError(f"row {row.id}: the package has no equation of state for a Hugoniot of the form {name}")
     if "rho0" not in row:
         raise ValueError(f"row {row.id} gives no density: it can be used for comparison only")
     found: Card = {"law": _LAW_OF_FORM[form]}

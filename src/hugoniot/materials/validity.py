@@ -49,7 +49,7 @@ def range_of(material: Material) -> Range:
     """Where the data of a material end: as stated, else as estimated from its law."""
     if material.valid_up_to is not None:
         return Range(material.valid_up_to, "", True)
-    ends = [(IONISED, "above which the atoms are ionised")]
+    ends = [(IONISED, "a rough limit for all materials, above which their atoms are ionised")]
     if material.burn is None and not flagged(material.eos, "gas"):
         with contextlib.suppress(HugoniotError, ArithmeticError, ValueError):      # a law that cannot be asked there
             ends += _ends(material.eos)

@@ -34,7 +34,7 @@ def test_a_range_names_what_stands_behind_it():
 
 def test_a_range_that_nobody_states_is_told_as_unknown():
     for name in ("gold", "molybdenum", "M001"):
-        assert library.find(name).valid_up_to is None and reach(library.find(name)).startswith("not stated; a run gives a warning only above an estimated limit, a particle velocity of 15000 m/s, above which the atoms are ionised")
+        assert library.find(name).valid_up_to is None and reach(library.find(name)).startswith("not stated; a run gives a warning only above an estimated limit, a particle velocity of 15000 m/s, a rough limit for all materials, above which their atoms are ionised")
     assert range_of(schema.row("U008")) == "not known"
     assert "does not apply" in reach(library.find("air")) and "does not apply" in reach(library.find("tnt"))
 

@@ -61,7 +61,7 @@ def test_velocities_of_a_profile_count_as_those_of_the_region_do():
     assert flying["velocity"] == 40e3 and hit_regions({"regions": [flying, struck]}) == ["b"]
 
 
-@pytest.mark.parametrize("law, end, words", [(SOLID, 15e3, "15000 m/s, above which the atoms are ionised"),
+@pytest.mark.parametrize("law, end, words", [(SOLID, 15e3, "15000 m/s, a rough limit for all materials, above which their atoms are ionised"),
                                              (SOLID.replace("s = 1.5", "s = 0.9").replace("5200.0", "2500.0"), 2500.0 / (4.0 / 3.0 - 0.9), "5770 m/s, above which the law"),
                                              (SOLID.replace("2700.0", "22000.0").replace("5200.0", "9000.0"), None, "m/s, above which the pressure of a shock exceeds 10 TPa")])
 def test_check_shows_the_estimated_range_of_a_decks_own_material(tmp_path, capsys, law, end, words):

@@ -14,7 +14,7 @@ $$p_H = p_a + \frac{c_a^2\,(v_a - v)}{[v_a - s_a(v_a - v)]^2}.$$
 Isentropes, temperature and sound speed are those of the base law at $e'$. Away from this Hugoniot the pressure follows from the Grüneisen
 parameter of the base law, which such data do not test.
 
-Source: Starkenberg, ARL-TR-2161, A-11.1, A-11.2 and A-11.5.
+Source: Starkenberg, ARL-TR-2161, appendix A-11.1, A-11.2 and A-11.5.
 """
 
 from typing import Any, NamedTuple
@@ -92,6 +92,6 @@ EOS.add(
              "pressure": "pressure of the upstream state", "energy": "energy of the upstream state"},
     defaults={"energy": 0.0},
     box={"rho": (2400.0, 6500.0), "e": (2.5e6, 2e7)},
-    references=("Starkenberg, ARL-TR-2161, A-11",),
+    references=("Starkenberg, ARL-TR-2161, appendix A-11",),
     flags=("loaded",),     # at rest under pressure
 )

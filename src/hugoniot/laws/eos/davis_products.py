@@ -119,6 +119,7 @@ EOS.add(
              "specific_heat": "specific heat at constant volume, needed for temperatures"},
     defaults={"e0": 0.0, "specific_heat": math.nan},
     box={"rho": (20.0, 3500.0), "e": (3e6, 2e7)},
-    references=("Wescott, Stewart and Davis, J. Appl. Phys. 98, 053514 (2005)", "Davis 1993, as cited in Starkenberg, ARL-TR-2161, A-1"),
+    references=("Wescott, Stewart and Davis, J. Appl. Phys. 98, 053514 (2005)",
+                "Davis 1993, as cited in Starkenberg, ARL-TR-2161, appendix A-1"),
     flags=("linear_in_energy", "gas", "reacted"),
 )

@@ -5,7 +5,7 @@ $$p = (\gamma - 1)\,\rho e, \qquad T = e / c_v, \qquad s = c_v \ln\left(p\,\rho^
 The reference state is the density $\rho_0$ at 298.15 K; a region of a deck may start from another density and temperature. The law is
 valid while intermolecular forces, dissociation and ionisation are negligible.
 
-Source: Starkenberg, ARL-TR-2161, A-7 (polytropic gas); KB codes, eq. 4.4, which prints $\rho_0$ for $\rho$ (K-E4).
+Source: Starkenberg, ARL-TR-2161, appendix A-7 (polytropic gas); KB codes, eq. 4.4, which prints $\rho_0$ for $\rho$ (K-E4).
 """
 
 from typing import NamedTuple

@@ -24,7 +24,7 @@ and would rise again beyond, with an imaginary sound speed. The fit is not valid
 keeps the value $f(V_t)$, and the cold energy grows by $-f(V_t)(V - V_t)/\rho_0$. The law stays smooth to the first derivative, and with
 `cold_constant` = 0 the sound speed is $c^2 = \omega(\omega+1)(e - e_C)$, real at any temperature above zero.
 
-Source: Lee and Hornig (1969), as given by Starkenberg, ARL-TR-2161, A-4 and A-9, with corrections S-E10 and S-E11.
+Source: Lee and Hornig (1969), as given by Starkenberg, ARL-TR-2161, appendix A-4 and A-9, with corrections S-E10 and S-E11.
 """
 
 import math
@@ -131,6 +131,6 @@ EOS.add(
              "cold_constant": "coefficient of (rho0/rho)^-omega in the energy at zero temperature"},
     defaults={"e0": 0.0, "specific_heat": math.nan, "cold_constant": 0.0},
     box={"rho": (20.0, 3000.0), "e": (2.5e6, 2e7)},
-    references=("Starkenberg, ARL-TR-2161, A-9 (corrected: S-E10, S-E11)", "Lee and Hornig 1969, as cited there"),
+    references=("Starkenberg, ARL-TR-2161, appendix A-9 (corrected: S-E10, S-E11)", "Lee and Hornig 1969, as cited there"),
     flags=("linear_in_energy", "gas", "reacted"),
 )

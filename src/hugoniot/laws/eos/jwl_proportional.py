@@ -9,9 +9,10 @@ $c_v$ the temperature is
 
 $$T = T_0e^{\Gamma_0(1-V)} + \frac{e - e_S}{c_v}, \qquad e_S = h_S(V) + [e_{\text{ref}} - h_S(1)]\,e^{\Gamma_0(1-V)}.$$
 
-Constants fitted for `jwl_unreacted` ($\Gamma$ constant) give other pressures in this form away from $V = 1$ and must be fitted again.
+Constants fitted for `jwl_unreacted` ($\Gamma$ constant) give other pressures in this form away from $V = 1$ and must be fitted again. The
+constants of the example are such a set; they only show the syntax.
 
-Source: Starkenberg, ARL-TR-2161, A-10, with corrections S-E12 and S-E14.
+Source: Starkenberg, ARL-TR-2161, appendix A-10, with corrections S-E12 and S-E14.
 """
 
 import math
@@ -96,6 +97,6 @@ EOS.add(
              "reference_temperature": "temperature of the reference state"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
     box={"rho": (1600.0, 4000.0), "e": (-1e5, 1e7)},
-    references=("Starkenberg, ARL-TR-2161, A-10 (corrected: S-E12, S-E14)",),
+    references=("Starkenberg, ARL-TR-2161, appendix A-10 (corrected: S-E12, S-E14)",),
     flags=("linear_in_energy",),
 )

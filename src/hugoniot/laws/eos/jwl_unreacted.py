@@ -11,7 +11,7 @@ constant specific heat $c_v$ the temperature is
 $$T = T_0V^{-\omega} + \frac{e - e_S}{c_v}, \qquad e_S = h_S(V) + [e_{\text{ref}} - h_S(1)]\,V^{-\omega}, \qquad
   h_S = \frac{1}{\rho_0}\left(\frac{A}{R_1}e^{-R_1V} + \frac{B}{R_2}e^{-R_2V}\right).$$
 
-Source: Starkenberg, ARL-TR-2161, A-9 and A-10.1; Lee and Tarver, Phys. Fluids 23, 2362 (1980), as cited there.
+Source: Starkenberg, ARL-TR-2161, appendix A-9 and A-10.1; Lee and Tarver, Phys. Fluids 23, 2362 (1980), as cited there.
 """
 
 import math
@@ -75,6 +75,6 @@ EOS.add(
              "reference_temperature": "temperature of the reference state"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
     box={"rho": (1850.0, 4000.0), "e": (-3e5, 1e7)},
-    references=("Starkenberg, ARL-TR-2161, A-9, A-10.1", "Lee and Tarver, Phys. Fluids 23, 2362 (1980), as cited there"),
+    references=("Starkenberg, ARL-TR-2161, appendix A-9, A-10.1", "Lee and Tarver, Phys. Fluids 23, 2362 (1980), as cited there"),
     flags=("linear_in_energy",),
 )

@@ -33,7 +33,7 @@ $$e_S = \frac{c_0^2}{s^2}\Big\{\left(1-\tfrac{\beta}{2}\right)\left(\tfrac1y - e
 the exact solution of $de_S/d\eta - \Gamma_0 e_S = c_0^2\eta(1 - \Gamma_0\eta/2)/(1 - s\eta)^2$. The source calls the
 integral an error function (J-E8).
 
-Source: Starkenberg, ARL-TR-2161, A-4, A-6.2, A-11; Herrmann, WL-TR-64-107, C.5, C.6, C.12; Jordan (2011), eq. 5.1.4 to 5.1.10.
+Source: Starkenberg, ARL-TR-2161, appendix A-4, A-6.2, A-11; Herrmann, WL-TR-64-107, C.5, C.6, C.12; Jordan (2011), eq. 5.1.4 to 5.1.10.
 """
 
 import math
@@ -164,6 +164,7 @@ EOS.add(
              "gamma_slope": "slope of rho Gamma/rho0 against mu = rho/rho0 - 1: Gamma = (gamma0 + gamma_slope mu)/(1 + mu)"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15, "gamma_form": "rho_gamma_constant", "gamma_slope": math.nan},
     box={"rho": (2100.0, 6500.0), "e": (0.0, 2e7)},
-    references=("Starkenberg, ARL-TR-2161, A-6.2, A-11", "Herrmann, WL-TR-64-107, C.5, C.6, C.12", "Jordan 2011, eq. 5.1.4 to 5.1.10"),
+    references=("Starkenberg, ARL-TR-2161, appendix A-6.2, A-11", "Herrmann, WL-TR-64-107, eq. C.5, C.6, C.12",
+                "Jordan 2011, eq. 5.1.4 to 5.1.10"),
     flags=("linear_in_energy",),
 )

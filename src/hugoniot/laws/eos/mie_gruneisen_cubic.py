@@ -12,7 +12,8 @@ isentrope that `mie_gruneisen` uses in tension, with $s_1$ for $s$. The law ends
 rises with $\eta$. The temperature is that of `mie_gruneisen_linear_gamma` with this Hugoniot; its isentrope is integrated with 16 Gauss
 points (error below $10^{-12}$ of the energy up to 70 % of the limiting compression).
 
-Source: Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted by Starkenberg, ARL-TR-2161, A-6; Starkenberg A-11.
+Source: Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted by Starkenberg, ARL-TR-2161, appendix A-6; Starkenberg
+A-11.
 """
 
 import math
@@ -98,7 +99,7 @@ EOS.add(
              "s2": "coefficient of (up/Us) up in Us", "s3": "coefficient of (up/Us)^2 up in Us", **reference_curves.GAMMA_MEANING},
     defaults=reference_curves.GAMMA_DEFAULTS,
     box={"rho": (9500.0, 20000.0), "e": (0.0, 5e6)},
-    references=("Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted in Starkenberg, ARL-TR-2161, A-6",
-                "Starkenberg, ARL-TR-2161, A-11"),
+    references=("Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted in Starkenberg, ARL-TR-2161, appendix A-6",
+                "Starkenberg, ARL-TR-2161, appendix A-11"),
     flags=("linear_in_energy",),
 )

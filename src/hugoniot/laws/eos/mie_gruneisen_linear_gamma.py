@@ -19,8 +19,8 @@ $$e_S = \varphi \int_0^\eta \frac{c_0^2\,t\,(1 - \tfrac12 t\,[\Gamma_0 + \Gamma_
 It is evaluated with 10 Gauss points in $-\ln(1 - t/\eta_m)$, where $\eta_m$ is the limiting compression ($1/s$, or 1 if $s \le 1$). For
 $s > 1$ the error is below $10^{-13}$ of the energy up to 80 % of $\eta_m$, and $10^{-9}$ at 95 %.
 
-Source: Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted by Starkenberg, ARL-TR-2161, A-6; Starkenberg A-11;
-Herrmann, WL-TR-64-107, C.12.
+Source: Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted by Starkenberg, ARL-TR-2161, appendix A-6; Starkenberg
+A-11; Herrmann, WL-TR-64-107, C.12.
 """
 
 import math
@@ -152,7 +152,7 @@ EOS.add(
              "reference_temperature": "temperature of the reference state"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
     box={"rho": (2100.0, 6500.0), "e": (0.0, 2e7)},
-    references=("Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted in Starkenberg, ARL-TR-2161, A-6",
-                "Starkenberg, ARL-TR-2161, A-11"),
+    references=("Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted in Starkenberg, ARL-TR-2161, appendix A-6",
+                "Starkenberg, ARL-TR-2161, appendix A-11"),
     flags=("linear_in_energy",),
 )

@@ -16,8 +16,8 @@ fitted $U_s$ is highest, $u_p = s_1/(2|s_2|)$, or where it has fallen to $u_p$. 
 which it was made. The temperature is that of `mie_gruneisen_linear_gamma` with this Hugoniot; its isentrope is integrated with 16 Gauss
 points (error below $10^{-12}$ of the energy up to 70 % of the limiting compression).
 
-Source: Starkenberg, ARL-TR-2161, A-11 (any $U_H(u)$ that can be solved); form of the Hugoniot as in compilations of shock data (Marsh
-1980).
+Source: Starkenberg, ARL-TR-2161, appendix A-11 (any $U_H(u)$ that can be solved); form of the Hugoniot as in compilations of shock data
+(Marsh 1980).
 """
 
 import math
@@ -89,6 +89,6 @@ EOS.add(
              "s2": "coefficient of up^2 in Us", **reference_curves.GAMMA_MEANING},
     defaults=reference_curves.GAMMA_DEFAULTS,
     box={"rho": (6000.0, 12000.0), "e": (0.0, 2e7)},
-    references=("Starkenberg, ARL-TR-2161, A-11",),
+    references=("Starkenberg, ARL-TR-2161, appendix A-11",),
     flags=("linear_in_energy",),
 )

@@ -60,6 +60,6 @@ EOS.add(
     defaults=reference_curves.GAMMA_DEFAULTS,
     box={"rho": (2300.0, 6000.0), "e": (0.0, 1e7)},
     above={"exponent": 0.0},
-    references=("Herrmann, WL-TR-64-107, C.8", "Murnaghan, Proc. Natl. Acad. Sci. 30, 244 (1944)",),
+    references=("Herrmann, WL-TR-64-107, eq. C.8", "Murnaghan, Proc. Natl. Acad. Sci. 30, 244 (1944)",),
     flags=("linear_in_energy",),
 )

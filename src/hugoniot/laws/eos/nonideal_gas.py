@@ -13,7 +13,8 @@ Real products expand with a falling exponent; for large expansions use `jwl` or 
 
 The CJ state, $\beta$ and $E_0$ of the example are those of Herrmann's pentolite; $\Gamma$, $c_v$ and $T_1$ are illustrative.
 
-Source: Herrmann, WL-TR-64-107, C.19 to C.23; where the source prints "$p_i$ = 2.77" for pentolite, it means $\beta$ = 2.77 (H-E12).
+Source: Herrmann, WL-TR-64-107, equations C.19 to C.23; where the source prints "$p_i$ = 2.77" for pentolite, it means $\beta$ = 2.77
+(H-E12).
 """
 
 import math
@@ -91,6 +92,6 @@ EOS.add(
              "reference_temperature": "temperature of the known state, needed for temperatures"},
     defaults={"e0": 0.0, "specific_heat": math.nan, "reference_temperature": math.nan},
     box={"rho": (50.0, 3500.0), "e": (1e6, 2e7)},
-    references=("Herrmann, WL-TR-64-107, C.19 to C.23",),
+    references=("Herrmann, WL-TR-64-107, eq. C.19 to C.23",),
     flags=("linear_in_energy", "gas", "reacted"),
 )

@@ -5,7 +5,7 @@ $$p(\rho, e) = p_{\text{base}}(\rho, e + \Delta e)$$
 Use it to give the laws of one problem, such as an explosive and its products or two phases, the same origin of energy. The reference
 energy is that of the base law minus $\Delta e$. Everything else is that of the base law at the energy $e + \Delta e$.
 
-Source: Starkenberg, ARL-TR-2161, A-1 (the energy of an equation of state is defined up to a constant).
+Source: Starkenberg, ARL-TR-2161, appendix A-1 (the energy of an equation of state is defined up to a constant).
 """
 
 from typing import Any, NamedTuple
@@ -84,5 +84,5 @@ EOS.add(
     units={"base": "law", "shift": "J/kg"},
     meaning={"base": "equation of state whose origin of energy is shifted", "shift": "energy added before the base law is evaluated"},
     box={"rho": (2300.0, 6500.0), "e": (4e6, 2e7)},
-    references=("Starkenberg, ARL-TR-2161, A-1",),
+    references=("Starkenberg, ARL-TR-2161, appendix A-1",),
 )

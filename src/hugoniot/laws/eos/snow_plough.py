@@ -6,17 +6,17 @@ $$p = \max\left[p_{\text{solid}}(\rho, e),\;
   \min\left(p_c\,\frac{\rho - \rho_{00}}{\rho_s - \rho_{00}},\; c_s^2(\rho - \rho_r)\right)\right]$$
 
 $\rho_{00}$ is the initial density of the porous material, $\rho_s$ and $c_s$ the reference density and sound speed of its solid (the base
-law), and $p_c$ the pressure at which the pores have closed. The pure snow-plough is the limit $p_c = 0$, in which sound does not travel.
-On the ramp, the first expression in the minimum, the pressure does not depend on energy. Shocks that close the pores reach the Hugoniot
-of the solid for the larger initial volume.
+law), and $p_c$ the crush pressure, which the ramp reaches at $\rho_s$. The pure snow-plough is the limit $p_c = 0$, in which sound does not
+travel. On the ramp, the first expression in the minimum, the pressure does not depend on energy. Shocks that close the pores end on the
+Hugoniot of the law of the solid for the initial density $\rho_{00}$.
 
 Crushing is irreversible. From the ramp the material unloads with the sound speed $c_s$ to the density $\rho_r$, at which the pressure is
 zero ($\rho_{00}$ before any crushing), supports tension below it, and reloads along the same line. Once the pressure of the solid has
 exceeded the ramp, the pores are closed and the law of the solid holds from then on. A run keeps the compaction
 $(\rho_r - \rho_{00})/(\rho_s - \rho_{00})$ of every zone, 1 when closed.
 
-The temperature is that of the solid, at no less than its reference density. There is no entropy, because crushing at a pressure that does
-not depend on heat dissipates energy.
+The temperature is that of the solid with the same energy, at the density $\rho$ or $\rho_s$, whichever is larger. The law has no entropy,
+because crushing is irreversible and the pressure of the ramp does not depend on energy.
 
 Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.3; Thouvenin (1966), as reviewed by Herrmann, J. Appl. Phys. 40, 2490 (1969).
 """

@@ -12,7 +12,7 @@ with a constant specific heat $c_v$. The temperature of the reference state (den
 constants, $T_0 = P_\infty/[(\gamma - 1)\rho_0c_v]$, and is 126 K for the example: choose $c_v$ for a given $T_0$ where temperatures
 matter.
 
-Source: Starkenberg, ARL-TR-2161, A-8, with corrections S-E6, S-E7, S-E8 and S-E9. The source writes $p_\infty = -P_\infty$ (S-E8).
+Source: Starkenberg, ARL-TR-2161, appendix A-8, with corrections S-E6, S-E7, S-E8 and S-E9. The source writes $p_\infty = -P_\infty$ (S-E8).
 """
 
 import math
@@ -80,6 +80,6 @@ EOS.add(
              "specific_heat": "specific heat at constant volume, needed for temperatures"},
     defaults={"rho0": 1000.0, "specific_heat": math.nan},
     box={"rho": (700.0, 3000.0), "e": (9e5, 2e7)},
-    references=("Starkenberg, ARL-TR-2161, A-8 (corrected: S-E6, S-E7, S-E8, S-E9)",),
+    references=("Starkenberg, ARL-TR-2161, appendix A-8 (corrected: S-E6, S-E7, S-E8, S-E9)",),
     flags=("linear_in_energy",),
 )

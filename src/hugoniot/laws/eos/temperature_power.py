@@ -13,7 +13,7 @@ $$s = w\,c_{v0}\,\frac{y^{1-w} - 1}{1-w}, \qquad y = 1 + \frac{\exp(s_1/c_{v0}) 
 
 The source calls $w < 1$ inconsistent with quantum statistics at high temperature.
 
-Source: Starkenberg, ARL-TR-2161, A-4.
+Source: Starkenberg, ARL-TR-2161, appendix A-4.
 """
 
 import math
@@ -110,5 +110,5 @@ EOS.add(
     meaning={"base": "equation of state with a constant specific heat, which this law changes",
              "exponent": "w in the equations; 1 gives the specific heat of the base law"},
     box={"rho": (1717.0, 2600.0), "e": (1e6, 5e6)},
-    references=("Starkenberg, ARL-TR-2161, A-4",),
+    references=("Starkenberg, ARL-TR-2161, appendix A-4",),
 )
