@@ -81,6 +81,8 @@ def validity(law) -> list[str]:
         ranges = f"densities from {plain(low)} to {plain(high)} kg/m³ and energies from {plain(cold * 1e-6)} to {plain(hot * 1e-6)} MJ/kg"
         shown = [] if "energy_limits" in law.functions else [f"The law is tested with the parameters of the example for {ranges}.", ""]
         return ["## Limits", "", *limits(law), *shown]
+    if "scheduled" in law.functions:      # a burn law that depends on the lighting time: its states say nothing of a run
+        return []
     used = arguments(law)
     rows = [(f"{name} ({unit})" if unit else name, plain(low * factor), plain(high * factor))
             for key, (name, unit, factor, low, high) in zip(law.box, box) if key in used]

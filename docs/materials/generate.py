@@ -140,6 +140,18 @@ def _first(about: dict) -> list[str]:
     return [*lines, "", f"**Valid range.** {sentence(reach)}", ""]
 
 
+def _detonation(constants, members) -> str:
+    """Which of the stated values of a detonation the laws use."""
+    values = {c["quantity"]: c["value"] for c in constants}
+    stated = [constants[k]["quantity"] for k in members]
+    if stated == ["detonation.gurney_velocity"]:
+        return "The laws do not use the Gurney velocity."
+    if values.get("burn.detonation_velocity") != values.get("detonation.velocity"):
+        return "The laws use none of these values; they are for comparison. Programmed burn uses the value in the table of the burn law."
+    return "Of these values the laws use only the detonation velocity, in the programmed burn; the others are for comparison." \
+        if len(stated) > 1 else "Programmed burn uses this value."
+
+
 def _constants(about: dict) -> list[str]:
     """Tables of the constants, one per law, and the numbered list of their sources."""
     constants = about["constants"]
@@ -153,10 +165,7 @@ def _constants(about: dict) -> list[str]:
         if group == "unreacted" and (said := _starts(constants)):
             lines += [said, ""]
         if group == "detonation":
-            stated = [constants[k]["quantity"] for k in members]
-            lines += ["The laws do not use the Gurney velocity." if stated == ["detonation.gurney_velocity"] else
-                      "Of these values the laws use only the detonation velocity, in the programmed burn; the others are for comparison."
-                      if len(stated) > 1 else "Programmed burn uses this value.", ""]
+            lines += [_detonation(constants, members), ""]
         rows = []
         for c, mark in ((constants[k], marks[k]) for k in members):
             few = 5 if c["status"] == "derived" or c["unit"] == "J/kg/K" else 0     # a specific heat per volume was divided by the density

@@ -11,7 +11,7 @@ MARKS = {"recalled": UNVERIFIED, "user": "user's own value", "corrected": "error
          "default": "default value"}
 # how a derived constant was found: what its note says first, after its row
 _FOUND = re.compile(r"row [A-Z]\d{3}: ((?:assumed|calibrated by|computed from|converted from|estimated|fitted by|highest of|mean of|set by|"
-                    r"taken over from)[^;:,]*|assumed|estimated)")
+                    r"taken from)[^;:,]*|assumed|estimated)")
 # what was corrected: the columns of the row, and what the file has
 _CORRECTED = re.compile(r"\bcorrected: [\w ]+ \((corrected: [^)]*)\)")
 

@@ -81,7 +81,7 @@ class Row:
             return "highest of the states compared" if name == "up_max" and "states" in self else ""
         if name == "rho0":
             another = re.search(r"\brow U\d{3}", self.via)
-            return f"taken over from {another.group()}" if another else "mean of the measured states"
+            return f"taken from {another.group()}" if another else "mean of the measured states"
         return "fitted by hugoniot"
 
     def _calibrated(self, name: str) -> str:
@@ -93,7 +93,7 @@ class Row:
         for identity in re.findall(r"\bG\d{3}\b", self.via if of_states else f"{self.note} {self.via}"):
             another = row(identity)
             if another.get(name) == self[name]:
-                return f"taken over from row {identity}" + (f" ({UNVERIFIED})" if another.status == "recalled" else "")
+                return f"taken from row {identity}" + (f" ({UNVERIFIED})" if another.status == "recalled" else "")
         return "set by hugoniot"
 
     def range_from(self) -> str:

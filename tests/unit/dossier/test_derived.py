@@ -158,8 +158,8 @@ def test_the_yield_stress_says_which_strain_and_rate_it_is_for():
     ("tin", "eos.specific_heat", "converted from c_p = 220 J/kg/K"), ("diamond", "eos.gamma0", "estimated"),
     ("iron", "eos.c0", "fitted by hugoniot"), ("iron", "eos.rho0", "mean of the measured states"),
     ("pbx_9502", "unreacted.reference_temperature", "assumed"), ("pbx_9502", "rate.z", "calibrated by hugoniot"),
-    ("pbx_9502", "rate.i", "taken over from row G003"), ("comp_b", "rate.g2", "set by hugoniot"),
-    ("pbx_9404", "rate.i", "taken over from row G010 (not checked against the printed source)"),
+    ("pbx_9502", "rate.i", "taken from row G003"), ("comp_b", "rate.g2", "set by hugoniot"),
+    ("pbx_9404", "rate.i", "taken from row G010 (not checked against the printed source)"),
     ("rdx", "eos.e0", "computed from the isentrope, doubtful")])
 def test_a_derived_constant_says_how_it_was_found(name, quantity, remark):
     assert next(c["mark"] for c in described(library.entry(name))["constants"] if c["quantity"] == quantity) == remark

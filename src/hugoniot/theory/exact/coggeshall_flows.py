@@ -52,7 +52,7 @@ def coggeshall_coasting(geometry: str = "spherical", gamma: float = 5.0 / 3.0, s
 
 
 def coggeshall_driven(geometry: str = "spherical", gamma: float = 5.0 / 3.0, slope: float = 0.0, density: float = 1.0) -> Solution:
-    """Coggeshall's driven flow: velocity a r/t, density a power of the radius, temperature quadratic in it.
+    """Coggeshall's driven flow: velocity proportional to r/t, density to a power of the radius, temperature quadratic in the radius.
 
     geometry   planar, cylindrical or spherical
     gamma      ratio of specific heats, above 1

@@ -47,7 +47,7 @@ def terminal_velocity(mass_ratio: float, detonation_velocity: float) -> float:
 
 
 def plate_push(mass_ratio: float = 1.0, detonation_velocity: float = 8000.0, density: float = 1600.0, length: float = 0.1) -> Solution:
-    """End-on plate: driven by a slab of gamma = 3 explosive lit at its free end x = 0, with vacuum on both sides.
+    """Plate driven end-on by a slab of gamma = 3 explosive that is lit at its free end x = 0, with vacuum on both sides.
 
     mass_ratio            M/C, mass of the plate divided by that of the explosive
     detonation_velocity   detonation velocity D of the explosive

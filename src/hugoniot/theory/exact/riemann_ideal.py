@@ -161,7 +161,7 @@ def sod() -> Solution:
 
 
 def leblanc() -> Solution:
-    """LeBlanc's shock tube: gamma 5/3 on 0 < x < 9, diaphragm at 3, specific energies in the ratio of a million."""
+    """LeBlanc's shock tube: gamma 5/3 on 0 < x < 9, diaphragm at 3, specific energies that differ by a factor of a million."""
     g = 5.0 / 3.0
     return riemann_ideal(Side(1.0, 0.0, (g - 1.0) * 0.1, g), Side(1e-3, 0.0, (g - 1.0) * 1e-10, g), 3.0, "LeBlanc shock tube")
 

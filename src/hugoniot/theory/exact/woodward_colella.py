@@ -38,7 +38,7 @@ def initial(positions) -> dict[str, np.ndarray]:
 
 
 def woodward_colella() -> Reference:
-    """Interacting blast waves: reference values at the time 0.038.
+    """Interacting blast waves: reference values at time 0.038.
 
     Numbers: time, contacts (positions of two contacts), spike (position of the density peak), right_shock and its uncertainty, and the
     density at some positions. No profiles are given.
