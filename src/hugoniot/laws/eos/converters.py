@@ -6,8 +6,8 @@ $$p_H = k_0'\eta\,(1 + k_1'\eta + k_2'\eta^2 + \dots), \qquad
 \Gamma = \Gamma_0(1 + \gamma_1\eta + \gamma_2\eta^2 + \gamma_3\eta^3)$$
 
 The functions below give $k_0', k_1', k_2'$ from the usual forms of data. `series` combines them with the Grüneisen parameter into the
-coefficients of the law `herrmann_series` (C.16), and `wilkins_cubic` gives the cubic Mie-Grüneisen equation of state of the KO codes. Labels such as C.4 are
-equations of Herrmann's report.
+coefficients of the law `herrmann_series` (C.16), and `wilkins_cubic` gives the cubic Mie-Grüneisen equation of state of the KO codes.
+Labels such as C.4 are equations of Herrmann's report.
 
 Source: Herrmann, WL-TR-64-107 (1964), C.4 to C.16, with C.11 corrected (H-E6); C.17 corrected (H-E5) in `elastic_wave_speed`.
 """
