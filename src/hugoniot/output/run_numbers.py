@@ -133,14 +133,16 @@ def spall_numbers(run: Run) -> dict:
 
 
 def highest(run: Run) -> dict:
-    """Highest stress (else pressure) and tension of any zone at any time, Pa, and of the surface that is seen its velocity, m/s.
+    """Highest stress (else pressure) and tension of any zone at any time, Pa, and the velocity of the surface that is seen, m/s.
 
     Beside each field stands where it was found: `stress_region` the body and `stress_at` the centre of the zone at t = 0, m, one number
     for each coordinate. Zones in which a captured shock is still forming (`diagnostics.forming`), and overshoots, do not count;
     `peaks` has them. Where they have more than that can explain, as in a wave that ends or decays before it leaves them, theirs is
     the highest, and `stress_forming` is true.
-    `surface` is the gauge of that velocity, or "free surface". A field that the run does not have is left out, and so are a tension and a
-    velocity that never came, or that are the round-off of a surface at rest; the velocity is that of the spall reading where there is one.
+    `surface` is the gauge of that velocity, or "free surface". The velocity is along x, as in `gauge_rows`, when it is farthest from
+    `surface_start`, that at the start: of a body that moves as a whole the largest one may be that of the body before any wave.
+    A field that the run does not have is left out, and so are a tension and a velocity that never came, or that are the round-off of a
+    surface at rest; the velocity is that of the spall reading where there is one.
     """
     peaks, found = run.arrays("peaks"), {}
     centres = [peaks[name] for name in ("centre", "centre_x", "centre_y") if name in peaks]
@@ -158,8 +160,11 @@ def highest(run: Run) -> dict:
         k = int(np.argmax(counted))
         found |= {word: float(values[k]), f"{word}_region": str(peaks["region"][k]), f"{word}_at": [float(x[k]) for x in centres]}
     seen = surface_record(run)
-    if len(seen.time) and "peak_velocity" not in spall_numbers(run) and np.max(seen.velocity) > NOISE * largest_value(run, "velocity"):
-        found |= {"surface": "free surface" if seen.kind == SURFACE else seen.gauge, "surface_velocity": float(np.max(seen.velocity))}
+    change, noise = np.abs(seen.velocity - seen.start), NOISE * largest_value(run, "velocity")
+    if len(seen.time) and "peak_velocity" not in spall_numbers(run) and np.max(change) > noise:
+        found |= {"surface": "free surface" if seen.kind == SURFACE else seen.gauge,
+                  "surface_velocity": float(seen.outward * seen.velocity[np.argmax(change)]),
+                  "surface_start": float(seen.outward * seen.start) if abs(seen.start) > noise else 0.0}
     return found
 
 
@@ -170,7 +175,8 @@ def highest_rows(run: Run) -> list[tuple[str, str, str]]:
              + ("; a shock that forms there overshoots" if f"{word}_forming" in top else ""))
             for word in ("stress", "pressure", "tension") if word in top]
     if "surface_velocity" in top:
-        rows.append((f"velocity, {top['surface']}", format_si(top["surface_velocity"], "m/s", 5), ""))
+        start = f"at the start {format_si(top['surface_start'], 'm/s', 5)}" if top["surface_start"] else ""
+        rows.append((f"velocity, {top['surface']}", format_si(top["surface_velocity"], "m/s", 5), start))
     return rows
 
 

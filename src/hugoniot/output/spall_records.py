@@ -24,6 +24,7 @@ class Record:
     gauge   name of the gauge, "" for the snapshots' right face; kind SURFACE, WINDOW or ""; region whose end it is, "" if unknown;
     window  the region behind the interface; source how it was recorded, in words; start the velocity before the first wave, m/s;
     ahead   the region across the gap in front of a free surface, "" if there is none
+    outward 1 where outwards is along x, -1 where it is against it: velocity times outward is that of the gauge
     """
 
     time: np.ndarray
@@ -35,6 +36,7 @@ class Record:
     source: str = ""
     start: float = 0.0
     ahead: str = ""
+    outward: float = 1.0
 
 
 def hit_regions(setup) -> list[str]:
@@ -115,10 +117,11 @@ def records(run) -> list[Record]:
         if name is not None:
             time, velocity = run.gauge("velocity", name)
             leftward = places[0].endswith("left") if kind == SURFACE else places[1].endswith(":left")
-            outward = -velocity if leftward else velocity
+            sign = -1.0 if leftward else 1.0
+            outward = sign * velocity
             other = names.index(region) + (-1 if leftward else 1)
             ahead = names[other] if kind == SURFACE and 0 <= other < len(names) else ""
-            found.append(Record(time, outward, name, kind, region, window, f"gauge '{name}'", first(outward), ahead))
+            found.append(Record(time, outward, name, kind, region, window, f"gauge '{name}'", first(outward), ahead, sign))
     return sorted(found, key=lambda r: (r.region not in hit, r.region in driving, at.get(r.gauge) == r.gauge, r.kind != SURFACE))
 
 

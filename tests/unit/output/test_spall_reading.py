@@ -295,6 +295,29 @@ def test_the_surface_that_is_seen_is_the_plates_not_the_back_of_its_charge(tmp_p
     assert highest(done).get("surface_velocity", peak["free surface right"]) == peak["free surface right"]
 
 
+@pytest.mark.parametrize("body", [-100.0, 0.0, 1000.0])
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_the_velocity_of_the_surface_is_along_x_whichever_way_it_and_its_body_move(tmp_path, body, way):
+    """A plate that one of its own kind hits leaves at the speed of the flyer; to the left its outward velocity was printed, with its sign.
+
+    body, way   the velocity of the plate in the direction of the impact, and this direction
+    """
+    flyer, plate = ((-1.0, 0.0), (0.0, 2.0)) if way > 0 else ((0.0, 1.0), (-2.0, 0.0))
+    rows = sorted([("flyer", ALUMINIUM, None, *flyer, way * (body + 600.0)), ("plate", ALUMINIUM, None, *plate, way * body)], key=lambda row: row[3])
+    found = highest(run(plates(*rows, stop=0.6e-6), out=tmp_path / "hit"))
+    assert found["surface_velocity"] == pytest.approx(way * (body + 600.0), abs=6.0)      # the overshoot of a shock is less
+    assert found["surface_start"] == pytest.approx(way * body, abs=1e-9)
+
+
+def test_a_joint_that_moves_into_the_body_that_was_hit_has_its_velocity(tmp_path):
+    """The largest velocity outwards, with its sign, stood for it. Across the joint the wave from the right keeps its velocity, as both sides
+    are aluminium."""
+    rows = [("plate", ALUMINIUM, None, 0, 2, 0.0), ("window", ALUMINIUM, None, 2, 4, 0.0)]
+    driven = plates(*rows, gauges=[("joint", "plate/window")], stop=0.6e-6, left=Boundary("fixed"), right=Boundary("pressure", Pulse("constant", 2e9)))
+    found = highest(run(driven, out=tmp_path / "in"))
+    assert found["surface"] == "joint" and found["surface_velocity"] == pytest.approx(-shock(ALUMINIUM, pressure=2e9).particle_velocity, rel=0.01)
+
+
 def test_an_interface_with_an_explosive_is_no_window(tmp_path):
     """'no wave reached gauge cavity' stood beside its arrival: outwards from the metal it moves backwards."""
     text = CHARGE_AND_PLATE.replace("stop_time", 'geometry = "spherical"\nstop_time') + 'gauge = [{name = "cavity", at = "charge/plate"}]\ninterface = [{between = ["charge", "plate"], kind = "bonded"}]'
