@@ -10,7 +10,7 @@ from hugoniot.materials.material import Material
 from hugoniot.output.run_numbers import gauge_rows
 from hugoniot.problem.catalogue import deck_text
 from hugoniot.problem.deck import read_deck_text
-from hugoniot.problem.model import Gauge, OutputOptions, Problem, Region
+from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Region
 from hugoniot.theory.exact.elastic_plastic_piston import Solid, waves
 from hugoniot.theory.hugoniot import shock
 from hugoniot.theory.impedance import match
@@ -74,3 +74,28 @@ def test_a_detonation_arrives_at_distance_over_velocity(tmp_path):
         row = next(row for row in gauge_rows(found) if row["gauge"] == "3 cm")
         assert row["arrival"] == pytest.approx(3e-2 / 7980.0, abs=1.2 * size * 1e-3 / 7980.0)
         assert not np.isfinite(row.get("second_arrival", np.nan))
+
+
+@pytest.mark.parametrize("end", ["left", "right"])
+def test_an_elastic_and_a_plastic_release_are_no_precursor_and_main_wave(tmp_path, end):
+    """A plate compressed to 0.5 GPa is let go at one end: 4 mm from it the elastic release comes after 4 mm / c_l, the plastic one later."""
+    law, strength = MieGruneisen(2785.0, 5328.0, 1.338, 2.0), PerfectlyPlastic(27.6e9, 0.05e9)
+    regions = (Region("plate", "m", 0.0, 1e-2, 200, velocity=20.0, pressure=0.5e9),)
+    ends = {"left": Boundary("transmitting"), "right": Boundary("transmitting")} | {end: Boundary("free")}
+    gauge = Gauge("inside", 4e-3 if end == "left" else 6e-3)
+    problem = Problem("release", "planar", 1.1e-6, regions, {"m": Material("m", law, strength)}, gauges=(gauge,), output=OutputOptions(report=False), **ends)
+    found = hugoniot.run(problem, tmp_path / "run")
+    row = next(row for row in gauge_rows(found) if row["gauge"] == "inside")
+    stress = found.gauge("stress", "inside")[1]
+    assert row["arrival"] == pytest.approx(4e-3 / 6500.0, rel=0.05) and "second_arrival" not in row
+    assert stress[0] == pytest.approx(0.5e9, rel=1e-3) and stress[-1] < 0.05e9
+
+
+def test_the_precursor_at_a_surface_on_the_left_counts(tmp_path):
+    """There the velocity falls as the waves arrive, and there is no stress: compression is outwards. A body that moves changes nothing."""
+    law, strength = MieGruneisen(2785.0, 5328.0, 1.338, 2.0), PerfectlyPlastic(27.6e9, 0.3e9)
+    plastic = waves(Solid(2785.0, 5328.0, 1.338, 2.0, 27.6e9, 0.3e9), 200.0)[1]
+    for k, drift in enumerate((0.0, 100.0)):
+        regions = (Region("target", "m", -THICK, 0.0, 100, velocity=drift), Region("flyer", "m", 0.0, THICK, 100 + k, velocity=drift - 400.0))
+        row = rows_of(tmp_path / str(k), regions, {"m": Material("m", law, strength)}, (), 1.1e-6)["free surface left"]
+        assert row["second_arrival"] == pytest.approx(THICK / plastic.wave_speed, rel=0.05)

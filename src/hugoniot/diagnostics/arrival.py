@@ -78,11 +78,14 @@ def _end_of_rise(change, rates, start: int, least: float) -> tuple[int, bool]:
     return len(rates), rates[-1] < SLOWED * steepest
 
 
-def arrivals(time, values) -> tuple[float, float]:
+def arrivals(time, values, *loads) -> tuple[float, float]:
     """Arrival of the first wave of a record, and of the second if it is the main wave behind a precursor, s; NaN for what is not there.
 
-    The second is given where it is higher than the first and the plateau between them lasts at least as long as either rise: the mesh has
-    then separated the two. What rises as the record begins, as a face does at its own impact, is no precursor.
+    time (n,) s; values (n,) in any unit; loads: records (n,) that grow where a wave compresses, as the stress does, or at a free surface
+    the velocity out of the body, of which the first that changes at all is read; without any, all waves count as compression. The second
+    arrival is given where both waves compress (a release may move the material on as far as the shock before it), the second is higher
+    than the first, and the plateau between them lasts at least as long as either rise: the mesh has then separated the two. What rises as
+    the record begins, as a face does at its own impact, is no precursor.
     """
     found = waves(time, values, 2)
     if not found:
@@ -91,7 +94,9 @@ def arrivals(time, values) -> tuple[float, float]:
     rise = one.end - one.begin
     if two is None or one.begin - time[0] < rise or two.level < 2.0 * one.level or two.begin - one.end < max(rise, two.end - two.begin):
         return one.arrival, float("nan")
-    return one.arrival, two.arrival
+    reached = [0, *np.minimum(np.searchsorted(time, (one.end, two.end), side="right"), len(time) - 1)]
+    steps = next((step for load in loads if (step := np.diff(np.asarray(load)[reached])).any()), np.empty(0))
+    return one.arrival, two.arrival if (steps > 0.0).all() else float("nan")
 
 
 def first_crossing(time, values, level: float) -> float:

@@ -38,11 +38,12 @@ def gauge_rows(run: Run) -> list[dict]:
     In two dimensions material points have the pressure in place of the stress, and `IN_PLANE` says which velocity a gauge has; the arrival
     at a point is that of a change of its velocity as a vector. A gauge whose zone or surface is lost counts up to then and has no end.
 
-    `second_arrival`, that of the plastic wave behind a precursor, stands in all rows if a gauge of the run has one, else in none. A peak
-    may be the short overshoot of a numerical shock; the plateaus are the levels of one flat top without it, behind the first wave: that of
-    the stress, and the velocity over the same time. Where the top of the stress is not flat, it is that of the change of velocity, if the
-    stress is constant over it; the same at a free surface, which has no stress. NaN where neither top is flat, or the velocity changes
-    over that of the stress; and for the stress of a surface that moves without any.
+    `second_arrival`, that of the plastic wave behind a precursor, stands in all rows if a gauge of the run has one, else in none; both
+    waves compress, by the stress or, on a free side, by the velocity out of the body. A peak may be the short overshoot of a numerical
+    shock; the plateaus are the levels of one flat top without it, behind the first wave: that of the stress, and the velocity over the
+    same time. Where the top of the stress is not flat, it is that of the change of velocity, if the stress is constant over it; the same
+    at a free surface, which has no stress. NaN where neither top is flat, or the velocity changes over that of the stress; and for the
+    stress of a surface that moves without any.
     """
     rows = []
     table = run.arrays("gauges") if run.gauge_names() else {}
@@ -55,6 +56,7 @@ def gauge_rows(run: Run) -> list[dict]:
     names = run.gauge_names()
     side_of = sides(run.setup["gauges"])
     kinds = {gauge["name"]: gauge["kind"] for gauge in run.setup["gauges"]} if plane else {}
+    placed = {gauge["name"]: gauge for gauge in run.setup["gauges"]}
     for k, name in enumerate(names):
         if name in side_of and _same(table["velocity"], k, names.index(side_of[name]), moving):
             continue     # the interface gauge has it
@@ -64,8 +66,11 @@ def gauge_rows(run: Run) -> list[dict]:
         velocity, change = (without_round_off(values[:end], moving) for values in (velocity, change))
         row: dict = {"gauge": name}
         moved = bool(np.max(np.abs(change - change[0])) > noise)
-        row["arrival"], row["second_arrival"] = arrivals(time, change) if moved else (float("nan"), float("nan"))
-        stress = without_round_off(table[word][:end, k], largest[word]) if word in table and kinds.get(name, "point") == "point" else None
+        stress = without_round_off(table[word][:end, k], largest[word]) if word in table else None
+        out = outward(run.setup, placed[name])
+        loads = [] if stress is None else [change * out] if plane and out else [stress, change * out]
+        row["arrival"], row["second_arrival"] = arrivals(time, change, *loads) if moved else (float("nan"), float("nan"))
+        stress = stress if kinds.get(name, "point") == "point" else None
         levels = _levels(time, velocity, change, stress, row["arrival"], moved)
         if word in table:
             row |= {f"{part}_{word}": levels.get(part, float("nan")) for part in ("peak", "plateau", "lowest")}
@@ -77,6 +82,19 @@ def gauge_rows(run: Run) -> list[dict]:
         for row in rows:
             del row["second_arrival"]
     return rows
+
+
+def outward(setup, gauge: Mapping) -> float:
+    """1 if the record of a gauge on a free side is positive out of the body, -1 if into it; 0 of a joint, or of a point in two dimensions.
+
+    A point in one dimension counts as one on the end of a region that is nearest to it.
+    """
+    if "axes" in setup:      # a line of sight sees the farthest point along it
+        return 0.0 if gauge["kind"] == "point" or "/" in str(gauge.get("on")) else 1.0
+    if isinstance(gauge["at"], str):
+        return -1.0 if gauge["at"].endswith("left") else 1.0 if gauge["at"].endswith("right") else 0.0
+    near = [(abs(gauge["at"] - region[end]), way) for region in setup["regions"] for end, way in (("start", -1.0), ("end", 1.0))]
+    return min(near)[1]
 
 
 def _levels(time, velocity, change, stress, arrival: float, moved: bool) -> dict[str, float]:
