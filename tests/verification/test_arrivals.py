@@ -10,7 +10,7 @@ from hugoniot.materials.material import Material
 from hugoniot.output.run_numbers import gauge_rows
 from hugoniot.problem.catalogue import deck_text
 from hugoniot.problem.deck import read_deck_text
-from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Region
+from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Region, SolverOptions
 from hugoniot.theory.exact.elastic_plastic_piston import Solid, waves
 from hugoniot.theory.hugoniot import shock
 from hugoniot.theory.impedance import match
@@ -99,3 +99,20 @@ def test_the_precursor_at_a_surface_on_the_left_counts(tmp_path):
         regions = (Region("target", "m", -THICK, 0.0, 100, velocity=drift), Region("flyer", "m", 0.0, THICK, 100 + k, velocity=drift - 400.0))
         row = rows_of(tmp_path / str(k), regions, {"m": Material("m", law, strength)}, (), 1.1e-6)["free surface left"]
         assert row["second_arrival"] == pytest.approx(THICK / plastic.wave_speed, rel=0.05)
+
+
+@pytest.mark.parametrize("interval", [0.0, 3e-8])
+def test_tracked_fronts_arrive_when_they_cross_the_gauge(tmp_path, interval):
+    """Precursor and plastic wave step between two samples; the middle between them was printed, half of an interval away.
+
+    In the second half of the target nothing is reflected yet: both waves run from the face, in the material, at constant speeds.
+    """
+    law, strength = MieGruneisen(2785.0, 5328.0, 1.338, 2.0), PerfectlyPlastic(27.6e9, 0.3e9)
+    elastic, plastic = waves(Solid(2785.0, 5328.0, 1.338, 2.0, 27.6e9, 0.3e9), 200.0)
+    in_material = (plastic.wave_speed - elastic.velocity) * elastic.density / law.rho0
+    regions = (Region("flyer", "m", -THICK, 0.0, 5, velocity=400.0), Region("target", "m", 0.0, THICK, 5))
+    problem = Problem("arrivals", "planar", 0.85e-6, regions, {"m": Material("m", law, strength)}, gauges=(Gauge("inside", 4e-3),), solver=SolverOptions("fronts"),
+                      output=OutputOptions(report=False, gauge_interval=interval))
+    rows = gauge_rows(hugoniot.run(problem, tmp_path / "run"))
+    assert rows[0]["arrival"] == pytest.approx(4e-3 / elastic.wave_speed, rel=1e-8)
+    assert rows[0]["second_arrival"] == pytest.approx(4e-3 / in_material, rel=1e-8)

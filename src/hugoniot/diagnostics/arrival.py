@@ -78,7 +78,7 @@ def _end_of_rise(change, rates, start: int, least: float) -> tuple[int, bool]:
     return len(rates), rates[-1] < SLOWED * steepest
 
 
-def arrivals(time, values, *loads) -> tuple[float, float]:
+def arrivals(time, values, *loads, position=None) -> tuple[float, float]:
     """Arrival of the first wave of a record, and of the second if it is the main wave behind a precursor, s; NaN for what is not there.
 
     time (n,) s; values (n,) in any unit; loads: records (n,) that grow where a wave compresses, as the stress does, or at a free surface
@@ -86,10 +86,14 @@ def arrivals(time, values, *loads) -> tuple[float, float]:
     arrival is given where both waves compress (a release may move the material on as far as the shock before it), the second is higher
     than the first, and the plateau between them lasts at least as long as either rise: the mesh has then separated the two. What rises as
     the record begins, as a face does at its own impact, is no precursor.
+
+    position   (n,) m, of the material whose velocity the record is, m/s: it tells when between two samples a front came that is thinner
     """
     found = waves(time, values, 2)
     if not found:
         return float("nan"), float("nan")
+    if position is not None:
+        found = [wave._replace(arrival=_between(time, values, position, wave)) for wave in found]
     one, two = found[0], found[1] if len(found) > 1 else None
     rise = one.end - one.begin
     if two is None or one.begin - time[0] < rise or two.level < 2.0 * one.level or two.begin - one.end < max(rise, two.end - two.begin):
@@ -97,6 +101,16 @@ def arrivals(time, values, *loads) -> tuple[float, float]:
     reached = [0, *np.minimum(np.searchsorted(time, (one.end, two.end), side="right"), len(time) - 1)]
     steps = next((step for load in loads if (step := np.diff(np.asarray(load)[reached])).any()), np.empty(0))
     return one.arrival, two.arrival if (steps > 0.0).all() else float("nan")
+
+
+def _between(time, velocity, position, wave: Wave) -> float:
+    """When the velocity stepped, if it did so between two samples: by how far the material came meanwhile; else the arrival of the wave."""
+    k = int(np.searchsorted(time, wave.arrival))
+    if k == 0 or not time[k - 1] <= wave.begin < wave.end <= time[k]:
+        return wave.arrival
+    # position[k] - position[k - 1] is velocity[k - 1] up to the step and velocity[k] from then on
+    late = (position[k] - position[k - 1] - velocity[k - 1] * (time[k] - time[k - 1])) / (velocity[k] - velocity[k - 1])
+    return float(time[k] - np.clip(late, 0.0, time[k] - time[k - 1]))
 
 
 def first_crossing(time, values, level: float) -> float:

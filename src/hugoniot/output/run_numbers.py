@@ -68,8 +68,9 @@ def gauge_rows(run: Run) -> list[dict]:
         moved = bool(np.max(np.abs(change - change[0])) > noise)
         stress = without_round_off(table[word][:end, k], largest[word]) if word in table else None
         out = outward(run.setup, placed[name])
+        place = table["position"][:end, k] if "position" in table else None
         loads = [] if stress is None else [change * out] if plane and out else [stress, change * out]
-        row["arrival"], row["second_arrival"] = arrivals(time, change, *loads) if moved else (float("nan"), float("nan"))
+        row["arrival"], row["second_arrival"] = arrivals(time, change, *loads, position=place) if moved else (float("nan"), float("nan"))
         stress = stress if kinds.get(name, "point") == "point" else None
         levels = _levels(time, velocity, change, stress, row["arrival"], moved)
         if word in table:
