@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import hugoniot
+from hugoniot.laws.eos import snow_plough
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials.material import Material
@@ -116,3 +117,21 @@ def test_tracked_fronts_arrive_when_they_cross_the_gauge(tmp_path, interval):
     rows = gauge_rows(hugoniot.run(problem, tmp_path / "run"))
     assert rows[0]["arrival"] == pytest.approx(4e-3 / elastic.wave_speed, rel=1e-8)
     assert rows[0]["second_arrival"] == pytest.approx(4e-3 / in_material, rel=1e-8)
+
+
+@pytest.mark.parametrize("kind", ["lagrange1d", "fronts"])
+@pytest.mark.parametrize("target", ["copper", "aluminium", "porous"])
+def test_the_impact_arrives_at_its_face_at_once(tmp_path, target, kind):
+    """The record begins at the velocity of the impact: of equal plates the release after 2 H / D was taken for the first wave, of a porous
+    target none. The plateau is that of the impedance match."""
+    laws = {"aluminium": MieGruneisen(2700.0, 5200.0, 1.5, 2.0), "copper": MieGruneisen(8930.0, 3940.0, 1.489, 2.02)}
+    laws["porous"] = snow_plough.build(laws["aluminium"], 1800.0, 1e8)
+    regions = (Region("flyer", "a", -2e-3, 0.0, 30, velocity=600.0), Region("target", "b", 0.0, 5e-3, 75))
+    materials = {"a": Material("a", laws["aluminium"]), "b": Material("b", laws[target])}
+    problem = Problem("face", "planar", 1.0e-6, regions, materials, gauges=(Gauge("face", "flyer/target"), Gauge("side", "flyer : right")),
+                      solver=SolverOptions(kind), output=OutputOptions(report=False))
+    rows = {row["gauge"]: row for row in gauge_rows(hugoniot.run(problem, tmp_path / "run"))}
+    assert rows["face"]["arrival"] == rows["side"]["arrival"] == 0.0
+    if target != "porous" or kind == "fronts":      # behind a captured crushing shock the stress rings
+        met = match([laws["aluminium"], laws[target]], 600.0)[0]
+        assert rows["face"]["plateau_stress"] == pytest.approx(met.pressure, rel=0.01)

@@ -1,5 +1,7 @@
 """The numbers of a finished run that terminal, report and JSON show: each is found here, once."""
 
+import itertools
+import re
 from collections.abc import Mapping
 
 import numpy as np
@@ -55,23 +57,25 @@ def gauge_rows(run: Run) -> list[dict]:
     moving = max(largest["velocity"], 0.1 * largest_value(run, "sound_speed"))
     names = run.gauge_names()
     side_of = sides(run.setup["gauges"])
-    kinds = {gauge["name"]: gauge["kind"] for gauge in run.setup["gauges"]} if plane else {}
     placed = {gauge["name"]: gauge for gauge in run.setup["gauges"]}
     for k, name in enumerate(names):
         if name in side_of and _same(table["velocity"], k, names.index(side_of[name]), moving):
             continue     # the interface gauge has it
-        velocity, change = _velocity(table, k, kinds.get(name, ""))
+        gauge = placed.get(name, {})
+        velocity, change = _velocity(table, k, gauge.get("kind", ""))
         end = max(recorded(velocity), 1)
         time = table["time"][:end]
         velocity, change = (without_round_off(values[:end], moving) for values in (velocity, change))
         row: dict = {"gauge": name}
         moved = bool(np.max(np.abs(change - change[0])) > noise)
         stress = without_round_off(table[word][:end, k], largest[word]) if word in table else None
-        out = outward(run.setup, placed[name])
+        out = outward(run.setup, gauge)
         place = table["position"][:end, k] if "position" in table else None
         loads = [] if stress is None else [change * out] if plane and out else [stress, change * out]
         row["arrival"], row["second_arrival"] = arrivals(time, change, *loads, position=place) if moved else (float("nan"), float("nan"))
-        stress = stress if kinds.get(name, "point") == "point" else None
+        if at_impact(run.setup, gauge):
+            row |= {"arrival": 0.0, "second_arrival": float("nan")}
+        stress = stress if gauge.get("kind", "point") == "point" else None
         levels = _levels(time, velocity, change, stress, row["arrival"], moved)
         if word in table:
             row |= {f"{part}_{word}": levels.get(part, float("nan")) for part in ("peak", "plateau", "lowest")}
@@ -85,16 +89,29 @@ def gauge_rows(run: Run) -> list[dict]:
     return rows
 
 
+def at_impact(setup, gauge: Mapping) -> bool:
+    """Whether a gauge sits where two bodies that touch differ in velocity at t = 0, in one dimension: the first waves start there then.
+
+    Its record begins at that velocity or between the two, and later waves were taken for the first one.
+    """
+    regions, at = [] if "axes" in setup else setup["regions"], gauge.get("at")
+    pairs = [(a, b) for a, b in zip(regions, regions[1:])
+             if a["end"] == b["start"] and np.ravel(a["velocity"])[-1] != np.ravel(b["velocity"])[0]]
+    places = [(f"{a['name']}/{b['name']}", f"{a['name']}:right", f"{b['name']}:left") for a, b in pairs]
+    return at in [a["end"] for a, _ in pairs] or re.sub(r"\s*([/:])\s*", r"\1", str(at)) in itertools.chain(*places)
+
+
 def outward(setup, gauge: Mapping) -> float:
     """1 if the record of a gauge on a free side is positive out of the body, -1 if into it; 0 of a joint, or of a point in two dimensions.
 
     A point in one dimension counts as one on the end of a region that is nearest to it.
     """
     if "axes" in setup:      # a line of sight sees the farthest point along it
-        return 0.0 if gauge["kind"] == "point" or "/" in str(gauge.get("on")) else 1.0
-    if isinstance(gauge["at"], str):
-        return -1.0 if gauge["at"].endswith("left") else 1.0 if gauge["at"].endswith("right") else 0.0
-    near = [(abs(gauge["at"] - region[end]), way) for region in setup["regions"] for end, way in (("start", -1.0), ("end", 1.0))]
+        return 0.0 if gauge.get("kind", "point") == "point" or "/" in str(gauge.get("on")) else 1.0
+    at = gauge.get("at", "")
+    if isinstance(at, str):
+        return -1.0 if at.endswith("left") else 1.0 if at.endswith("right") else 0.0
+    near = [(abs(at - region[end]), way) for region in setup["regions"] for end, way in (("start", -1.0), ("end", 1.0))]
     return min(near)[1]
 
 
