@@ -218,8 +218,29 @@ def test_a_front_that_is_programmed_to_converge_is_told_with_the_law_to_take(geo
     found = [warning for warning in read_deck_text(text).warnings if "real converging front would outrun" in warning]
     assert len(found) == told
     assert not told or 'law = "programmed_beta", rho0 = 1717, rho_cj = 2351' in found[0]
-    with_beta = '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\nlaw = "programmed_beta"\nrho0 = 1717.0\nrho_cj = 2351.4\ndetonation_velocity = "7980 m/s"\n'
-    assert read_deck_text(text + with_beta).warnings == ()
+    for warning in found:
+        assert read_deck_text(text + warning.split("use\n", 1)[1] + "\n").warnings == ()
+
+
+PAIR = """
+stop_time = "5 us"
+region = [{{name = "one", material = "{}", from = "0 cm", to = "1.5 cm", zones = 20}}, {{name = "two", material = "{}", from = "1.5 cm", to = "3 cm", zones = 20}}]
+lighting = [{{at = "{}"}}]
+solver.kind = "{}"
+"""
+
+
+@pytest.mark.parametrize(("first", "second", "lit", "weaker"), [
+    ("comp_b", "tnt", "0 cm", "two"), ("comp_b", "tnt", "3 cm", ""), ("comp_b", "tnt", "1.5 cm", "two"), ("tnt", "comp_b", "3 cm", "one"),
+    ("tnt", "comp_b", "0 cm", ""), ("comp_b", "comp_b", "0 cm", "")])
+def test_a_front_that_passes_into_a_weaker_explosive_is_warned_of_with_lines_to_paste(first, second, lit, weaker):
+    """CJ pressures of 29.5 and 21 GPa: the weaker was compressed to 46 GPa, or the run stopped. `fronts` follows the overdriven front."""
+    text = PAIR.format(first, second, lit, "lagrange1d")
+    found = [told for told in read_deck_text(text).warnings if "stronger products" in told]
+    assert len(found) == bool(weaker) and all(f"into '{weaker}' (21 GPa)" in told for told in found)
+    for told in found:
+        assert not [again for again in read_deck_text(text + told.split(":\n", 1)[1] + "\n").warnings if "stronger" in again]
+    assert not [told for told in read_deck_text(PAIR.format(first, second, lit, 'fronts"\nsolver.options.mode = "cells')).warnings if "stronger" in told]
 
 
 @pytest.mark.parametrize("solver", ['[solver.viscosity]\nlaw = "limited"\nlinear = 0.3', '[solver.viscosity]\nlaw = "limited"\nlinear = 0',

@@ -84,7 +84,7 @@ def overrun(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
         return None
     return (f"zones were crushed, to {densest:.4g} kg/m3, before the programmed front lit them: what pushes them arrives earlier, such as "
             "a plate, or burned explosive that drives a faster front than the burn law allows (as in converging geometry).",
-            f"allow compression to burn a zone ahead of its schedule: {with_compression(material, region)}; or use a rate law.")
+            f"use a rate law, or allow compression to burn a zone ahead of its schedule:\n{with_compression(material, region)}")
 
 
 def torn_reactants(problem, zones, charge, region_of, culprit: int) -> tuple[str, str] | None:
