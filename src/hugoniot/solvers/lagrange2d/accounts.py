@@ -70,7 +70,10 @@ def errors(solver) -> dict[str, float]:
     weight = float(nodes[N.own].sum()) * solver.time + gone[4]
     impulse = chains[:, [L.CHAIN_IMPULSE_X, L.CHAIN_IMPULSE_Y]].sum(axis=0) + weight * np.array(solver.problem.body_force)
     size = float(np.sum(nodes[N.own] * np.hypot(nodes[N.u], nodes[N.v])))
-    size = max(size, *np.abs(solver.start_momentum), np.abs(chains[:, 1:]).max(initial=0.0), 1e-300)
+    # of what is in balance all velocities are round-off: that of its stress, which rho c makes a velocity of
+    sound, stress = zones[Z.rho] * zones[Z.c], np.max(np.abs(zones[[Z.p, Z.sxx, Z.syy, Z.sxy]]), axis=0)
+    size = max(size, float(np.sum(zones[Z.mass] * np.divide(stress, sound, out=np.zeros_like(sound), where=sound > 0.0))),
+               *np.abs(solver.start_momentum), np.abs(chains[:, 1:]).max(initial=0.0), 1e-300)
     drift = np.abs(momentum(nodes) + gone[1:3] - solver.start_momentum - impulse) / size
     if solver.kind != G.PLANAR:
         drift[0] = np.nan
