@@ -16,6 +16,8 @@ from hugoniot.output.spall_records import SURFACE, surface_record
 from hugoniot.units import format_si
 
 OVERSHOOT = 2.0       # times the highest of all others: more than a third above it was never seen in a shock that has left those zones
+FOCUS = 4             # zones at the axis or centre, in which the stress of a converging wave is limited by the mesh alone
+PEAKED = 1.2          # times the value that many zones farther out: what is less is a state that is nearly uniform there
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
 GAUGE_UNITS = {"arrival": "s", "second_arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa",
                "peak_pressure": "Pa", "plateau_pressure": "Pa", "lowest_pressure": "Pa",
@@ -174,7 +176,8 @@ def highest(run: Run) -> dict:
     Beside each field stands where it was found: `stress_region` the body and `stress_at` the centre of the zone at t = 0, m, one number
     for each coordinate. Zones in which a captured shock is still forming (`diagnostics.forming`), and overshoots, do not count;
     `peaks` has them. Where they have more than that can explain, as in a wave that ends or decays before it leaves them, theirs is
-    the highest, and `stress_forming` is true.
+    the highest, and `stress_forming` is true. `stress_focus` is true where it stands beside the axis or centre and falls off from there:
+    a converging wave grows without bound, and its value is the larger the finer the mesh.
     `surface` is the gauge of that velocity, or "free surface". The velocity is along x, as in `gauge_rows`, when it is farthest from
     `surface_start`, that at the start: of a body that moves as a whole the largest one may be that of the body before any wave.
     A field that the run does not have is left out, and so are a tension and a velocity that never came, or that are the round-off of a
@@ -194,6 +197,8 @@ def highest(run: Run) -> dict:
         if np.max(values) > OVERSHOOT * max(np.max(counted), 0.0):
             counted, found[f"{word}_forming"] = values, True
         k = int(np.argmax(counted))
+        if run.setup["geometry"] in ("cylindrical", "spherical") and run.setup["regions"][0]["start"] == 0.0 and k < FOCUS:
+            found |= {f"{word}_focus": True} if values[k] > PEAKED * values[min(k + FOCUS, len(values) - 1)] else {}
         found |= {word: float(values[k]), f"{word}_region": str(peaks["region"][k]), f"{word}_at": [float(x[k]) for x in centres]}
     seen = surface_record(run)
     change, noise = np.abs(seen.velocity - seen.start), NOISE * largest_value(run, "velocity")
@@ -208,7 +213,8 @@ def highest_rows(run: Run) -> list[tuple[str, str, str]]:
     """(what, its value, where) of `highest` in words."""
     top = highest(run)
     rows = [(word, format_si(top[word], "Pa", 5), _place(top[f"{word}_region"], top[f"{word}_at"])
-             + ("; a shock that forms there overshoots" if f"{word}_forming" in top else ""))
+             + ("; a wave converges there, and the value depends on the mesh" if f"{word}_focus" in top else
+                "; a shock that forms there overshoots" if f"{word}_forming" in top else ""))
             for word in ("stress", "pressure", "tension") if word in top]
     if "surface_velocity" in top:
         start = f"at the start {format_si(top['surface_start'], 'm/s', 5)}" if top["surface_start"] else ""

@@ -21,7 +21,7 @@ from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.materials.initial_state import energy_at_pressure
 from hugoniot.materials.material import Material
 from hugoniot.output.compare import compare
-from hugoniot.output.run_numbers import gauge_rows, highest, is_lower_bound, spall_numbers
+from hugoniot.output.run_numbers import gauge_rows, highest, highest_rows, is_lower_bound, spall_numbers
 from hugoniot.output.setup_record import setup_record
 from hugoniot.output.spall_reading import constants_of, read_record, reading_of, spall_reading, through_window
 from hugoniot.output.spall_records import hit_regions, records, spalled_regions, struck, surface_record
@@ -316,6 +316,21 @@ def test_a_joint_that_moves_into_the_body_that_was_hit_has_its_velocity(tmp_path
     driven = plates(*rows, gauges=[("joint", "plate/window")], stop=0.6e-6, left=Boundary("fixed"), right=Boundary("pressure", Pulse("constant", 2e9)))
     found = highest(run(driven, out=tmp_path / "in"))
     assert found["surface"] == "joint" and found["surface_velocity"] == pytest.approx(-shock(ALUMINIUM, pressure=2e9).particle_velocity, rel=0.01)
+
+
+@pytest.mark.parametrize(("geometry", "driven", "focus"), [("spherical", True, True), ("cylindrical", True, True), ("planar", True, False), ("spherical", False, False)])
+def test_the_stress_at_the_focus_of_a_converging_wave_is_marked(tmp_path, geometry, driven, focus):
+    """It is the larger the finer the mesh. A plane wave at a wall, and a ball that starts under a uniform pressure and expands, are not."""
+    found = []
+    for zones in (20, 40):
+        load = {"right": Boundary("pressure", Pulse("constant", 2e9))} if driven else {}
+        region = Region("ball", "al", 0.0, 5e-3, zones, pressure=None if driven else 2e9)
+        problem = Problem("ball", geometry, 1.2e-6 if driven else 0.3e-6, (region,), {"al": Material("al", ALUMINIUM)}, left=Boundary("fixed") if geometry == "planar" else Boundary("free"),
+                          output=OutputOptions(report=False), **load)
+        done = run(problem, out=tmp_path / str(zones))
+        found.append(highest(done)["stress"])
+        assert ("stress_focus" in highest(done)) == focus == ("depends on the mesh" in dict((row[0], row[2]) for row in highest_rows(done))["stress"])
+    assert (found[1] > 1.2 * found[0]) == focus
 
 
 def test_an_interface_with_an_explosive_is_no_window(tmp_path):
