@@ -199,7 +199,7 @@ def _finish(recorder, outcome: Outcome, begun: float | None) -> None:
 
 def _peaks(problem: Problem, solver: Solver) -> dict[str, np.ndarray]:
     """Peak fields of every zone, and where they may be the overshoot of a shock that forms."""
-    from hugoniot.diagnostics.forming import forming
+    from hugoniot.problem.forming import forming
 
     peaks = solver.peaks()
     return peaks | {"forming": forming(problem).astype(np.uint8)} if problem.solver.kind in ("lagrange1d", "lagrange2d") else peaks

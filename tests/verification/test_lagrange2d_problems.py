@@ -10,12 +10,12 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parents[1] / "unit" / "solvers2d"))
 from plane_builders import Boundary2D, Pulse, Viscosity2D, box, centres, gas, problem, ran, walls
 
-from hugoniot.diagnostics.forming import forming
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials.material import Material
 from hugoniot.mesh.shapes import Sector
+from hugoniot.problem.forming import forming
 from hugoniot.problem.plane.model import Block2D, VelocityField
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D

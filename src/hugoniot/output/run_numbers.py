@@ -13,9 +13,9 @@ from hugoniot.output.columns import PER_AREA
 from hugoniot.output.run import Run, largest_value
 from hugoniot.output.spall_reading import NOISE, spall_reading
 from hugoniot.output.spall_records import SURFACE, surface_record
+from hugoniot.problem.forming import settled
 from hugoniot.units import format_si
 
-OVERSHOOT = 2.0       # times the highest of all others: more than a third above it was never seen in a shock that has left those zones
 FOCUS = 4             # zones at the axis or centre, in which the stress of a converging wave is limited by the mesh alone
 PEAKED = 1.2          # times the value that many zones farther out: what is less is a state that is nearly uniform there
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
@@ -174,7 +174,7 @@ def highest(run: Run) -> dict:
     """Highest stress (else pressure) and tension of any zone at any time, Pa, and the velocity of the surface that is seen, m/s.
 
     Beside each field stands where it was found: `stress_region` the body and `stress_at` the centre of the zone at t = 0, m, one number
-    for each coordinate. Zones in which a captured shock is still forming (`diagnostics.forming`), and overshoots, do not count;
+    for each coordinate. Zones in which a captured shock is still forming (`problem.forming`), and overshoots, do not count;
     `peaks` has them. Where they have more than that can explain, as in a wave that ends or decays before it leaves them, theirs is
     the highest, and `stress_forming` is true. `stress_focus` is true where it stands beside the axis or centre and falls off from there:
     a converging wave grows without bound, and its value is the larger the finer the mesh.
@@ -193,9 +193,10 @@ def highest(run: Run) -> dict:
         least = NOISE * found.get("stress", found.get("pressure", 0.0))
         if word == "tension" and not np.max(values) > least:
             continue
-        counted = values if word == "tension" else np.where(peaks["forming"] > 0, -np.inf, values) if "forming" in peaks else values
-        if np.max(values) > OVERSHOOT * max(np.max(counted), 0.0):
-            counted, found[f"{word}_forming"] = values, True
+        form = peaks["forming"] > 0 if word != "tension" and "forming" in peaks else np.zeros(len(values), dtype=bool)
+        counted = settled(values, form)
+        if counted is values and form.any():
+            found[f"{word}_forming"] = True
         k = int(np.argmax(counted))
         if run.setup["geometry"] in ("cylindrical", "spherical") and run.setup["regions"][0]["start"] == 0.0 and k < FOCUS:
             found |= {f"{word}_focus": True} if values[k] > PEAKED * values[min(k + FOCUS, len(values) - 1)] else {}

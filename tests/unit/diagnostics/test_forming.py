@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from hugoniot.diagnostics.forming import START_UP, forming
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.materials.material import Material
 from hugoniot.mesh.shapes import Box
+from hugoniot.problem.forming import START_UP, forming
 from hugoniot.problem.model import Boundary, Problem, Pulse, Region
 from hugoniot.problem.plane.model import Block2D, Boundary2D, Problem2D, VelocityField
 

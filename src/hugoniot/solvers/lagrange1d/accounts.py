@@ -6,6 +6,7 @@ Extensive quantities are per m^2 (planar), per m and radian (cylindrical) or per
 import numpy as np
 
 from hugoniot.laws.eos.contract import flagged, reference_state
+from hugoniot.problem.forming import forming, settled
 from hugoniot.problem.starting import start_at_ends
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
@@ -63,16 +64,19 @@ def exchanges(solver) -> dict[str, float]:
 def largest_velocity_jump(problem, peak_pressure, peak_density, region_ranges) -> dict[str, float]:
     """Material -> largest particle velocity of a shock in it, from its peak pressure on the Rayleigh line, m/s. Rows (nzone,).
 
+    The overshoot of a shock that is forming does not count (`problem.forming`).
+
     The shock starts from the initial density, but in solids and liquids that start compressed from the reference density: their laws
     are extrapolated as far as behind such a shock.
     """
     found: dict[str, float] = {}
+    form = forming(problem)
     for region, (first, last) in zip(problem.regions, region_ranges):
         law = problem.materials[region.material].eos
         rho0, p0 = min(start_at_ends(problem, region))
         if not flagged(law, "gas") and rho0 > (rest := float(reference_state(law)[0])):
             rho0, p0 = rest, 0.0
-        peak = int(first + np.argmax(peak_pressure[first:last]))
+        peak = int(first + np.argmax(settled(peak_pressure[first:last], form[first:last])))
         squeeze = 1.0 - rho0 / max(peak_density[peak], rho0)
         jump = float(np.sqrt(max(peak_pressure[peak] - p0, 0.0) * squeeze / rho0))
         found[region.material] = max(found.get(region.material, 0.0), jump)
