@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import hugoniot
-from hugoniot.diagnostics.temperature import gauge_temperature
+from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temperature
 from hugoniot.laws.eos.contract import EOS, has_temperature, reference_state
 from hugoniot.problem.deck import read_deck_text
 
@@ -51,3 +51,27 @@ def test_material_with_voids_has_the_temperature_of_the_material(tmp_path, solve
     cold = law.specific_heat * np.log(heat / 298.15)      # of the reference state, which has the entropy 0 here, at little expansion
     assert rows["entropy"][-1][open_] - rows["entropy"][0][0] == pytest.approx(cold, abs=10.0)
     assert gauge["temperature"].min() > 200.0
+
+
+@pytest.mark.parametrize(("gas", "energy", "known"), [("", True, False), ("specific_heat = 1500.0", True, True), ("", False, True)])
+def test_products_have_no_temperature_of_air(tmp_path, gas, energy, known):
+    """A gamma-law gas as products without a specific heat was given the 717.5 J/kg/K of air; a gas that does not burn keeps it."""
+    burn = 'detonation_energy = "4.5 MJ/kg"\nburn = {law = "programmed", detonation_velocity = "8485 m/s"}' if energy else ""
+    text = f"""
+stop_time = "0.5 us"
+region = [{{name = "x", material = "x", from = "0 cm", to = "1 cm", zones = 20}}]
+{'lighting = [{at = "0 cm"}]' if energy else ''}
+output = {{fields = ["density", "temperature"], report = false}}
+[material.x]
+{burn}
+[material.x.eos]
+law = "ideal_gas"
+gamma = 3.0
+rho0 = "1700 kg/m^3"
+{gas}
+"""
+    deck = read_deck_text(text)
+    assert (laws_with_temperature(deck.problem)[0] is not None) == known
+    if energy:
+        found = hugoniot.run(deck, tmp_path / "run").arrays("snapshots").get("temperature", np.full((1, 20), np.nan))
+        assert np.isfinite(found[-1]).any() == known
