@@ -82,11 +82,16 @@ def read_asked(path, wishes: Wishes) -> tuple[Wishes, str | None, pathlib.Path |
     text = _text(path)
     table = sweep_table(text, path.name)
     if table is None:
+        if wishes.match is not None:
+            raise refuse("--match", ",".join(wishes.match), f"an impedance match takes nothing from {path.name}",
+                         "omit one of them")
         return wishes, text, path
     if str(table.get("design", "")).lower().endswith(".csv"):
         table = {**table, "design": str(path.parent / table["design"])}
     found = with_table(wishes, table, path.name)
     if found.match is not None:
+        if "deck" in table:
+            raise refuse("sweep.deck", table["deck"], "an impedance match takes nothing from a deck", "omit it, or omit match")
         return found, None, path
     if "deck" not in table:
         return found, text, path

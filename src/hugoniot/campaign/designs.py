@@ -65,6 +65,8 @@ def design_of(variables: Sequence[Variable], kind: str = "grid", samples: int | 
     if kind.lower().endswith(".csv"):
         if variables:
             raise refuse("--vary", variables[0].name, "a table of cases already states what varies", "give either --vary or a table")
+        if samples is not None or seed:
+            raise refuse("--seed" if seed else "--samples", str(seed or samples), "a table of cases is taken as it is", "leave it out")
         return _table(kind)
     if kind not in KINDS:
         raise refuse("--design", kind, "unknown design", f"known: {', '.join(KINDS)}, or a table of cases such as cases.csv")
@@ -73,6 +75,8 @@ def design_of(variables: Sequence[Variable], kind: str = "grid", samples: int | 
     twice = [v.name for k, v in enumerate(variables) if v.name in [w.name for w in variables[:k]]]
     if twice:
         raise refuse("--vary", twice[0], "varied twice", "name each key once")
+    if kind == "grid" and seed:
+        raise refuse("--seed", str(seed), "nothing in a grid is random", "leave it out, or take a sample with --design sobol")
     return _grid(variables, samples) if kind == "grid" else _sampled(variables, kind, samples, seed)
 
 

@@ -107,6 +107,9 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
     limits = [_limit(wishes.shift, "s", "--shift"), _limit(wishes.scale, "1", "--scale")]
     look_at(question, targets, limits[0])
     clocks = 1 + max(t.clock for t in targets)
+    of_records = [f"--{name}" for name in ("shift", "scale", "window", "gauge", "sigma") if getattr(wishes, name)]
+    if question.run and clocks == 0 and of_records:
+        raise refuse(of_records[0], "", "has no effect on measured numbers, only on records", "leave it out")
     with (engine or local(workers))(question.record(), ()) as pool:
         ask = _asking(pool, question, show)
         problem = Problem(plan, free, tuple(targets), clocks, *(limits if clocks else (0.0, 0.0)), wishes.loss, ask)

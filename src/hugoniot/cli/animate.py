@@ -5,6 +5,8 @@ from typing import Annotated
 
 import typer
 
+from hugoniot.cli.typed import refuse_idle
+
 
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
@@ -26,6 +28,8 @@ def command(
 
     path = out or folder / f"{field}.gif"
     run = load(folder)
+    if run.setup["geometry"] != "axisymmetric":
+        refuse_idle(f"in {run.setup['geometry']} geometry, which has no other half", "--mirror", "--no-mirror")
     with explained(path, "no film is written"):
         frames = animate(run, field, path, fps, every, mesh=mesh, mirror=mirror)
     typer.echo(f"wrote {path}, {frames} frames")

@@ -6,6 +6,9 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.show import JSON, echo_json, echo_table
+from hugoniot.cli.typed import refuse_idle
+
+_FIELDS = ("--time", "--at", "--from", "--to", "--points")
 
 
 def command(
@@ -34,11 +37,14 @@ def command(
     from hugoniot.cli import exact_report
 
     if not name:
+        refuse_idle("without the name of a solution", *_FIELDS, "--csv", "--plot")
         rows = exact_report.listing()
         if as_json:
             echo_json(rows)
         else:
             echo_table(["solution", "what", "source"], [(r["solution"], r["what"], r["source"].partition(";")[0]) for r in rows])
         return
+    if at:
+        refuse_idle("with --at", "--from", "--to", "--points")
     asked = exact_report.Grid(times or [], at, start, end, points)
     exact_report.report(name, settings or [], asked, as_json, as_csv, plot)

@@ -11,6 +11,7 @@ import typer
 from hugoniot.cli.eos.output import plain, row_of, words, write_csv
 from hugoniot.cli.exact_input import listed, needed, parameters_of, points_of
 from hugoniot.cli.show import echo_json, echo_table, quantity
+from hugoniot.cli.typed import refuse_idle
 from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.materials.collect import nearest
 from hugoniot.theory.exact import SOLUTIONS, Solution, describe
@@ -57,8 +58,9 @@ def report(name: str, settings: list[str], grid: Grid, as_json, as_csv, plot) ->
     made, given = parameters_of(SOLUTIONS[name], settings)
     solution = made()
     if not isinstance(solution, Solution):
-        if grid.times or as_csv or plot:
+        if grid.times or grid.at or as_csv or plot:
             raise DeckError.single("command line", None, name, "is a set of reference numbers and has no fields", "ask for --json")
+        refuse_idle(f"on {name}, a set of reference numbers", "--from", "--to", "--points")
         _data(name, solution, as_json)
         return
     times = [quantity(t, "s", "--time") for t in grid.times]
@@ -67,6 +69,11 @@ def report(name: str, settings: list[str], grid: Grid, as_json, as_csv, plot) ->
         times = [0.0]
     if name == "plate_push" and not times:
         times = np.linspace(0.0, 20.0 * solution.numbers["arrival_time"], 81).tolist() if as_csv or plot else []
+    if name == "plate_push":
+        refuse_idle("on plate_push, which is given against time", "--at", "--from", "--to", "--points")
+    elif not (times or asked):
+        refuse_idle("without --time, as no fields are given" if not solution.steady else "without --at, --csv or --plot",
+                    "--from", "--to", "--points")
     states = [_history(solution, times)] if name == "plate_push" and times else _states(name, solution, times, given, grid)
     if asked and not states:
         raise DeckError.single("command line", None, "--time", "a table or picture of the fields needs a time", 'give --time "1 us"')
@@ -227,6 +234,9 @@ def _burn_times(settings: list[str], grid: Grid, as_json, as_csv, plot) -> None:
     if grid.times:
         raise DeckError.single("command line", None, "--time", "does not apply to burn times, which are themselves the times of the "
                                                                "front", "omit --time")
+    refuse_idle("on burn times, which are drawn in a square up to --to", "--from")
+    if not plot:
+        refuse_idle("on burn times without --plot", "--to", "--points")
     problems = kenamond()
     rest = [s for s in settings if not s.replace(" ", "").startswith("problem=")]
     chosen = next((s.partition("=")[2].strip() for s in settings if s.replace(" ", "").startswith("problem=")), "1")

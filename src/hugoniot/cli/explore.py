@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from hugoniot.cli.typed import refuse_idle
 from hugoniot.errors import DeckError
 
 
@@ -29,6 +30,11 @@ def command(
     Only this machine can reach the page. Its address contains a token that changes with every start. Ctrl-C ends the server.
     """
     from hugoniot.explorer.places import places_of
+
+    if export is not None:
+        refuse_idle("with --export", "--work", "--no-runs", "--port", "--browser", "--no-browser", "--view")
+    if no_runs:
+        refuse_idle("with --no-runs", "--work")
 
     places = places_of(what or [], None if no_runs else work)
     if export is not None:

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
+from hugoniot.cli.typed import refuse_idle
 from hugoniot.errors import DeckError, OutOfRange
 
 
@@ -42,6 +43,8 @@ def command(
     from hugoniot.campaign.rate_fit import as_fitted, fit_rate
     from hugoniot.cli.pop_plot import material_named, pressure_list
 
+    if line:
+        refuse_idle("with --line", "--to")
     chosen = _started(material_named(material, materials), start)
     wanted, described, span = _line(to or material, line)
     folder = None if out is None else claimed(out)

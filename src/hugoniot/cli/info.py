@@ -8,6 +8,7 @@ import typer
 from hugoniot.cli.opened import opened
 from hugoniot.cli.results import echo_results
 from hugoniot.cli.show import JSON, echo_json, echo_table
+from hugoniot.cli.typed import refuse_idle
 from hugoniot.units import format_si
 
 MOST_EVENTS = 40
@@ -30,8 +31,11 @@ def command(
     With --verify the exit code is 4 if a file is missing or has changed since the run.
     """
     if verify:
+        refuse_idle("with --verify", "--events", "--deck")
         _verify(folder, as_json)
         return
+    if deck:
+        refuse_idle("with --deck", "--events", "--json")
     from hugoniot.output.run_numbers import record
 
     with opened(folder) as run:

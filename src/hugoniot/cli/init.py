@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.show import echo_table
+from hugoniot.cli.typed import refuse_idle
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.materials.collect import nearest, printable
 from hugoniot.problem import catalogue
@@ -28,6 +29,8 @@ def command(
     if solver and not schema:
         raise DeckError.single("init", None, "--solver", "only chooses the solver of a schema", "add --schema, or leave --solver out")
     if schema:
+        if problem:
+            raise DeckError.single("init", None, printable(problem), "has no effect with --schema", "omit one of them")
         import json
 
         from hugoniot.problem.editor_schema import json_schema
@@ -39,6 +42,7 @@ def command(
         _write(out or Path("deck.schema.json"), json.dumps(json_schema(solver), indent=2, ensure_ascii=False) + "\n", overwrite)
         return
     if not problem:
+        refuse_idle("without a problem", "--out", "--overwrite")
         echo_table(["problem", "what it shows"], [(p.name, p.summary) for p in catalogue.problems()])
         typer.echo("\nhugoniot init PROBLEM writes the deck.")
         return

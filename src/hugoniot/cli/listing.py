@@ -37,6 +37,8 @@ def command(
 
     Example: hugoniot list eos mie_gruneisen
     """
+    if name and kind in KINDS and kind not in _families():
+        raise DeckError.single("list", None, name[:40], f"is not the name of a law, and has no effect with '{kind}'", "omit it")
     if not kind:
         if as_json:
             echo_json([{"list": kind, "what": what} for kind, what in KINDS.items()])

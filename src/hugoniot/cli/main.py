@@ -17,6 +17,7 @@ from typing import Annotated
 import typer
 from typer.core import TyperCommand
 
+from hugoniot.cli.typed import remember
 from hugoniot.errors import HugoniotError
 
 # name -> the line shown by `hugoniot --help`
@@ -113,6 +114,12 @@ class Command(TyperCommand):
                 parameter.display_type_rich = lambda ctx: None                  # and DECK <path>
             elif parameter.metavar is None and not getattr(parameter, "is_flag", False) and not getattr(parameter, "count", False):
                 parameter.metavar = _called_in_help(parameter)
+
+    def invoke(self, ctx):
+        """Run the command, which may then ask what was typed."""
+        remember(name for p in self.params if getattr(ctx.get_parameter_source(p.name), "name", "") == "COMMANDLINE"
+                 for name in (p.secondary_opts if ctx.params[p.name] is False and p.secondary_opts else p.opts))
+        return super().invoke(ctx)
 
 
 def _called_in_help(option) -> str:

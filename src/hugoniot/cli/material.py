@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
+from hugoniot.cli.typed import refuse_idle
 from hugoniot.errors import DeckError
 
 app = typer.Typer(no_args_is_help=True, help="Search and show the materials library, in which every number has its source.\n\nA "
@@ -44,6 +45,9 @@ def list_materials(
         return
 
     if summary or counts:
+        refuse_idle("on totals of the library", "--all", "--materials", *(["--counts"] if summary else []))
+        if category:
+            raise DeckError.single("material list", None, category[:40], "has no effect on totals of the library", "omit it")
         (_summary if summary else _counts)(as_json)
         return
     rows = [hit for hit in library.listings() if everything or hit.curated]

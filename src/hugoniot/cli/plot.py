@@ -77,6 +77,8 @@ def command(
         path = out or folder / f"{'-'.join(word for word in (kind, field) if word)}.png"
         drawable(path, "plot", "--out")
         options = _options(kind, field, gauge, time, delay) | _of_the_plane(kind, plane, line, layers)
+        if "mirror" in options and run.setup["geometry"] != "axisymmetric":
+            raise DeckError.single("plot", None, "--layers", "a body in plane geometry is drawn whole anyway", 'omit "one half"')
         limits = _limits(kind, field, x, t, shown, plane)
         _within(run, kind, limits[0], limits[1])
         if kind in ("xt", "gauge", "pi_plane", "map"):

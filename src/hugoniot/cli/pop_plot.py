@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
+from hugoniot.cli.typed import refuse_idle
 from hugoniot.errors import DeckError, FileTrouble, OutOfRange
 
 COLUMNS = {"pressure": "Pa", "piston_velocity": "m/s", "shock_velocity": "m/s", "distance": "m", "time": "s"}
@@ -104,6 +105,7 @@ def pressure_list(text: str, points: int) -> list[float]:
     given = [part if re.search(r"[A-Za-z]\s*$", part) or unit is None else f"{part} {unit.group(0)}" for part in parts]
     values = [_quantity(part, "Pa", "--pressures") for part in given]
     if ".." not in text:
+        refuse_idle("on pressures that are listed", "--points")
         return values
     if len(values) != 2 or not values[0] < values[1]:
         raise DeckError.single("command line", None, "--pressures", f"'{text[:40]}' is not a range", 'write "3..15 GPa", lower one first')

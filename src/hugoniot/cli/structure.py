@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.show import JSON, echo_json, echo_table, quantity
+from hugoniot.cli.typed import refuse_idle
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.files import toml_tables, toml_trouble
 
@@ -52,6 +53,8 @@ def profile(
 
     Example: hugoniot structure profile water_858 --json
     """
+    if not (as_json or as_csv):
+        refuse_idle("without --csv or --json", "--points")
     subject = _subject(what, viscosity, conduction, prandtl, bulk_ratio, (density, temperature, pressure), bent)
     strength = {"mach": mach, "particle_velocity": _number(particle_velocity, "m/s", "--particle-velocity"),
                 "shock_velocity": _number(shock_velocity, "m/s", "--shock-velocity")}
@@ -107,6 +110,8 @@ def sweep(
         subject = _subject(what, law, conduction, prandtl, bulk_ratio, (density, temperature, pressure))
         profiles = run(subject["eos"], subject["transport"], machs, subject["ahead"])
         gas = bool(_paths(profiles[0]))
+        if not gas:
+            refuse_idle("on a material whose mean free path is unknown; the reciprocal thickness is given in 1/nm", "--mean-free-path")
         lengths = [p.mean_free_path(unit) if gas else 1e-9 for p in profiles]
         values = [length / p.thickness() for length, p in zip(lengths, profiles)]
         curves.append((law or what, machs, values))

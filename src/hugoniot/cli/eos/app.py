@@ -14,6 +14,7 @@ from hugoniot.cli.eos.second_shock import second_shock
 from hugoniot.cli.eos.sesame import sesame
 from hugoniot.cli.eos.stability import stability
 from hugoniot.cli.show import JSON, quantity
+from hugoniot.cli.typed import refuse_idle
 from hugoniot.errors import DeckError
 
 app = typer.Typer(no_args_is_help=True, help=(
@@ -62,6 +63,10 @@ def hugoniot(
     if data and (plot is None or kind not in ("us-up", "p-up")):
         raise DeckError.single("command line", None, "--data", "measured points are drawn in pictures of the axes us-up and p-up only",
                                "add --plot, and --axes us-up or p-up")
+    if at is not None:
+        refuse_idle("with --at, which gives one state", "--points", "--up-to")
+    if plot is None:
+        refuse_idle("without --plot", "--axes")
     asked = eos_hugoniot.Question(at, points, up_to, density, after, reaction, heat, data or [])
     eos_hugoniot.report(eos_hugoniot.solve_all(materials, asked), at is not None, kind, as_json, as_csv, plot)
 

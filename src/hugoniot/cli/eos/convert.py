@@ -61,6 +61,9 @@ def convert(
     series = chosen.convert(**{n: given[n] for n in names})
     gamma0 = _gamma(given, series)
     law = None
+    if idle := _idle(given, gamma0):
+        raise DeckError.single("command line", None, idle, "has no effect", "give gamma0, or expansion and heat_at_pressure with rho0; "
+                               "the others belong to the complete law")
     if gamma0 is not None and "rho0" in given:
         law = converters.series(given["rho0"], series, gamma0, tuple(given.get(f"gamma{i}", 0.0) for i in (1, 2, 3)),
                                 given.get("specific_heat", math.nan))
@@ -84,6 +87,14 @@ def _gamma(given: dict[str, float], series: converters.HugoniotSeries) -> float 
     if {"expansion", "heat_at_pressure", "rho0"} <= set(given):
         return converters.gruneisen_from_expansion(series.k0, given["expansion"], given["rho0"], given["heat_at_pressure"])
     return None
+
+
+def _idle(given: dict[str, float], gamma0: float | None) -> str:
+    """A constant that enters nothing: of a law that is not complete, or of the Grüneisen parameter where that is given; else ""."""
+    needed = () if "gamma0" in given or gamma0 is None else ("expansion", "heat_at_pressure")
+    of_law = ("gamma1", "gamma2", "gamma3", "specific_heat") if gamma0 is not None and "rho0" in given else ()
+    idle = {"expansion", "heat_at_pressure", "gamma1", "gamma2", "gamma3", "specific_heat"} - {*needed, *of_law}
+    return next((name for name in given if name in idle), "")
 
 
 def _finite(law) -> dict[str, float]:

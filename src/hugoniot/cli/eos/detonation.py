@@ -8,6 +8,7 @@ from hugoniot.cli.eos.input import find_material
 from hugoniot.cli.eos.options import AHEAD, CSV, DENSITY, EXPLOSIVE, HEAT, MATERIALS, PLOT, RATE
 from hugoniot.cli.eos.output import cell, deliver, echo_notes, notes, row_of, words
 from hugoniot.cli.show import JSON, echo_table
+from hugoniot.cli.typed import refuse_idle
 
 CLOSURE = "How reactants and products share a zone: thermal_isolation, thermal_equilibrium, weighted_pressures or two_state"
 
@@ -64,6 +65,8 @@ def znd(
     """
     from hugoniot.cli.eos import burning as eos_burning
 
+    if velocity is not None:
+        refuse_idle("with --velocity", "--overdrive")
     eos_burning.zones(explosives, eos_burning.Zone(closure, rate, heat, density, ahead, overdrive, velocity, complete, points),
                       as_json, as_csv, plot)
 
@@ -101,6 +104,11 @@ def mixture(
     Example: hugoniot eos mixture lx_17 --shocked "pressure = 20 GPa" --adiabat "1 g/cm^3" --burn-to 1
     """
     from hugoniot.cli.eos import mixture as eos_mixture
+
+    if adiabat is None:
+        refuse_idle("without --adiabat", "--burn-to", *(["--points"] if frozen is None else []))
+    if series:
+        refuse_idle("with --series, which starts at burn fraction 0", "--burn-fraction")
 
     asked = eos_mixture.Question(at, shocked, fractions, closure or [], adiabat, burn_to, frozen, series, heat, points,
                                    reacted)

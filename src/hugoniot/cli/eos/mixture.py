@@ -9,6 +9,7 @@ from hugoniot.cli.eos.burning import closure_of, mixture_of, whose_temperature
 from hugoniot.cli.eos.input import Subject, find_material, one_state, several_states
 from hugoniot.cli.eos.output import cell, deliver, echo_columns, echo_notes, notes, plain, write_csv
 from hugoniot.cli.show import echo_json, echo_table, quantity
+from hugoniot.cli.typed import refuse_idle
 from hugoniot.errors import DeckError, HugoniotError, NoSolution, OutOfRange
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.theory import mixture as tool
@@ -55,6 +56,8 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
         raise DeckError.single("command line", None, "mixture", "--adiabat, --hugoniot and --series cannot be combined", "give one of them")
     subject = find_material(name)
     fractions = [_fraction(part) for part in asked.fractions.split(",")]
+    if len(fractions) > 1 and (asked.adiabat is not None or asked.hugoniot is not None):
+        refuse_idle("beyond its first value, from which --adiabat and --hugoniot start", "--burn-fraction")
     kinds = [closure_of(kind) for kind in asked.closures] or ["thermal_isolation"] * asked.series or list(EQUILIBRIA)
     told = notes(subject)
     cases, answers, failed = [], [], []
@@ -73,7 +76,7 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
     if not cases:
         raise failed[0]
     if asked.series:
-        _series(subject, cases[0], as_json, as_csv, plot)
+        _series(subject, cases[0], asked, as_json, as_csv, plot)
         return
     if plot:
         _draw(subject, cases, answers, asked, plot)
@@ -170,9 +173,9 @@ def _reacting(start, pressures, reacted: float):
     raise NoSolution("no pressure is given")
 
 
-def _series(subject: Subject, case: Case, as_json, as_csv, plot) -> None:
+def _series(subject: Subject, case: Case, asked: Question, as_json, as_csv, plot) -> None:
     """The expansion about burn fraction 0, volumes and energies of both phases."""
-    if plot or case.kind != "thermal_isolation":
+    if plot or len(asked.closures) > 1 or case.kind != "thermal_isolation":
         raise DeckError.single("command line", None, "--series", "gives a table of coefficients, for thermal isolation only",
                                "omit --plot and the other closures")
     found = tool.vanishing_series(case.state[0], float(np.ravel(case.state[1])[0]), case.par)
