@@ -26,7 +26,7 @@ def command(
     points: Annotated[int, typer.Option("--points", min=2, max=50, help="Number of runs in a range, spaced logarithmically in "
         "pressure.")] = 5,
     zones: Annotated[int, typer.Option("--zones", min=50, max=5000, help="Number of zones per run distance during the search.")] = 200,
-    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Number of runs at the same time.")] = 1,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=256, help="Number of runs at the same time.")] = 1,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder to write fit.json, residuals.csv and report.html to "
         "(default: none).")] = None,
     materials: MATERIALS = None, as_json: JSON = False,
@@ -50,7 +50,7 @@ def command(
     folder = None if out is None else claimed(out)
     names = [name.strip() for name in adjust.split(",") if name.strip()]
     try:
-        found = fit_rate(chosen, wanted, pressure_list(pressures, points), names, zones, jobs)
+        found = fit_rate(chosen, wanted, pressure_list(pressures, points), names, zones, workers)
         told = _told(found, span)
     except OutOfRange as error:
         message, _, hint = str(error).partition("; ")

@@ -114,8 +114,9 @@ def show(
 @app.command()
 def compare(
     names: Annotated[list[str], typer.Argument(help="Two or more materials, or one, whose sources are then compared.")],
-    output: Annotated[Path, typer.Option("--output", "-o", help="Picture to write (.png, .pdf, .svg).")] = Path("compare.png"),
-    up_max: Annotated[str, typer.Option("--up", help="Highest particle velocity, such as \"3 km/s\".")] = "",
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="Picture to write, .png, .pdf or .svg (default: compare.png, or none with "
+        "--json).")] = None,
+    up_to: Annotated[str, typer.Option("--up-to", help="Particle velocity at which the curves end, such as \"3 km/s\".")] = "",
     materials: MATERIALS = None,
     as_json: JSON = False,
 ) -> None:
@@ -129,25 +130,28 @@ def compare(
     from hugoniot.cli.show import quantity
     from hugoniot.dossier.curves import comparison
 
-    if not as_json:
-        drawable(output, "material compare", "--output")
-    limit = quantity(up_max, "m/s", "--up") if up_max else None
+    picture = out or (None if as_json else Path("compare.png"))
+    if picture is not None:
+        drawable(picture, "material compare", "--out")
+    limit = quantity(up_to, "m/s", "--up-to") if up_to else None
     if limit is not None and not limit > 0.0:
-        raise DeckError.single("command line", None, "--up", f"{up_max} is not a valid particle velocity", 'give a positive one, "3 km/s"')
+        raise DeckError.single("command line", None, "--up-to", f"{up_to} is not a valid particle velocity",
+                               'give a positive one, "3 km/s"')
     chosen = comparison([_entry(name, materials) for name in names], limit)
-    if as_json:
-        echo_json(chosen.table())
-    else:
+    if picture is not None:
         from hugoniot.output.atomic import explained
         from hugoniot.plotting.materials import compare_figure
 
-        with explained(output, "no picture is written"):
-            compare_figure(chosen, output)
+        with explained(picture, "no picture is written"):
+            compare_figure(chosen, picture)
+    if as_json:
+        echo_json(chosen.table())
+    else:
         rows = [(c.label, "{1:.0f} m/s at {0:.0f} m/s".format(*c.middle), c.source) for c in chosen.curves]
         echo_table(["curve", "Us at up", "source"], rows)
         for note in chosen.notes:
             typer.echo(note)
-        typer.echo(f"wrote {output}")
+        typer.echo(f"wrote {picture}")
 
 
 @app.command()

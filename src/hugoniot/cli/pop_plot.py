@@ -24,11 +24,11 @@ def command(
         "pressure.")] = 6,
     zone_size: Annotated[str, typer.Option("--zone-size", help="Width of the zones.")] = "20 um",
     longest: Annotated[str, typer.Option("--longest", help="Length of the longest charge that is tried.")] = "60 mm",
-    mixture: Annotated[str, typer.Option("--mixture", help="How reactants and products share a zone, instead of the choice of the "
+    closure: Annotated[str, typer.Option("--closure", help="How reactants and products share a zone, instead of the choice of the "
         "material (hugoniot list mixture).")] = "",
     published: Annotated[str, typer.Option("--published", help="Explosive of the library whose measured line is the comparison "
         "(default: MATERIAL).")] = "",
-    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Number of runs at the same time.")] = 1,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, max=256, help="Number of runs at the same time.")] = 1,
     materials: MATERIALS = None, as_json: JSON = False,
     as_csv: Annotated[Path | None, typer.Option("--csv", help="Write the numbers, in SI, to this file.")] = None,
     plot: Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")] = None,
@@ -46,8 +46,8 @@ def command(
     from hugoniot.materials import library
 
     chosen = material_named(material, materials)
-    if mixture:
-        chosen = replace(chosen, mixture=_closure(mixture))
+    if closure:
+        chosen = replace(chosen, mixture=_closure(closure))
     wanted = pressure_list(pressures, points)
     size, most = _quantity(zone_size, "m", "--zone-size"), _quantity(longest, "m", "--longest")
     lines = library.pop_lines(published or chosen.library)
@@ -55,7 +55,7 @@ def command(
         raise DeckError.single("command line", None, "--published", f"the library has no measured Pop plot of '{published[:60]}'",
                                f"it has: {', '.join(row.material for row in library.schema.table('pop_plot').values())}")
     try:
-        found = pop_plot(chosen, wanted, size, most, jobs)
+        found = pop_plot(chosen, wanted, size, most, workers)
     except OutOfRange as error:
         message, _, hint = str(error).partition("; ")
         raise DeckError.single("command line", None, "pop-plot", message, hint) from None
@@ -87,7 +87,7 @@ def _closure(name: str) -> str:
         return MIXTURE.get(name).name
     except UnknownName as error:
         message, _, hint = str(error).partition("; ")
-        raise DeckError.single("command line", None, "--mixture", message, hint) from None
+        raise DeckError.single("command line", None, "--closure", message, hint) from None
 
 
 def _quantity(text: str, unit: str, option: str) -> float:

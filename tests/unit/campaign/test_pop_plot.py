@@ -92,7 +92,7 @@ def test_the_command_prints_json_csv_and_a_picture(capsys, tmp_path):
 
 @pytest.mark.parametrize(("arguments", "words"), [
     (("LX-17 reactive", "-p", "15..3 GPa"), "not a range"), (("LX-17 reactive", "-p", "3 s"), "--pressures"),
-    (("LX-17 reactive", "-p", "0..3 GPa"), "not positive"), (("LX-17 reactive", "--mixture", "thermal"), "--mixture"),
+    (("LX-17 reactive", "-p", "0..3 GPa"), "not positive"), (("LX-17 reactive", "--closure", "thermal"), "--closure"),
     (("LX-17 reactive", "--published", "copper"), "PBX-9502"), (("comp_b",), "has no rate-based burn law"), (("G010",), "no products"),
     (("LX-17 reactive", "--zone-size", "-1 um"), "--zone-size")])
 def test_what_the_command_refuses(capsys, arguments, words):

@@ -1,8 +1,9 @@
 """An option that would have no effect beside the others is refused, with its name."""
 
 import pytest
+from typer.main import get_command
 
-from hugoniot.cli.main import main
+from hugoniot.cli.main import COMMANDS, build_app, main
 
 IDLE = [
     ("--points", "eos hugoniot copper --points 7 --at", "pressure = 10 GPa"),
@@ -58,3 +59,17 @@ def test_an_option_with_effect_is_not(line, capsys):
     with pytest.raises(SystemExit) as end:
         main(line.split())
     assert end.value.code == 0, capsys.readouterr().err
+
+
+SAME = {"--jobs": "--workers", "--mixture": "--closure", "--up": "--up-to"}     # one thing, one name
+
+
+def test_a_thing_has_the_same_option_in_every_command():
+    """A file or folder to write is --out with -o everywhere, and no option goes by another's synonym."""
+    seen = {}
+    for name in COMMANDS:
+        command = get_command(build_app(name)).commands[name]
+        for each in getattr(command, "commands", {name: command}).values():
+            seen |= {option: parameter for parameter in each.params for option in parameter.opts if option.startswith("-")}
+            assert all(("--out" in p.opts) == ("-o" in p.opts) for p in each.params)
+    assert not SAME.keys() & seen.keys() and set(SAME.values()) <= seen.keys()

@@ -89,14 +89,16 @@ def test_search(capsys):
 
 def test_compare_writes_a_picture_and_data(capsys, tmp_path):
     picture = tmp_path / "iron.png"
-    code, out, _ = call(capsys, "compare", "iron", "-o", picture, "--up", "4 km/s")
+    code, out, _ = call(capsys, "compare", "iron", "-o", picture, "--up-to", "4 km/s")
     assert code == 0 and "U215" in out and picture.read_bytes()[:4] == b"\x89PNG" and picture.stat().st_size > 20_000
-    data = json.loads(call(capsys, "compare", "cu", "al6061", "--up", "2 km/s", "--json")[1])
+    data = json.loads(call(capsys, "compare", "cu", "al6061", "--up-to", "2 km/s", "--json")[1])
     assert len(data["curves"]) == 2 and data["states"]
     copper = data["curves"][0]
     assert np.interp(1000.0, copper["up"], copper["us"]) == pytest.approx(3940.0 + 1489.0, rel=1e-6)
     assert np.interp(1000.0, copper["up"], copper["p"]) == pytest.approx(8930.0 * 5429.0 * 1e3, rel=1e-3)
     assert max(data["states"][0]["up"]) <= 2060.0
+    picture.unlink()
+    assert json.loads(call(capsys, "compare", "cu", "--json", "-o", picture)[1])["curves"] and picture.is_file()
     assert call(capsys, "compare", "rdx", "-o", picture)[0] == 2
 
 
@@ -113,8 +115,8 @@ def test_check_a_users_file(capsys, tmp_path):
 
 
 @pytest.mark.parametrize("arguments, code, words", [
-    (("compare", "copper", "--up", "fast"), 2, "--up: 'fast' is not a quantity"), (("compare", "copper", "--up", "-1 km/s"), 2, "give a positive one"),
-    (("compare", "copper", "-o", "copper.doc"), 2, "--output: cannot draw 'copper.doc'"),
+    (("compare", "copper", "--up-to", "fast"), 2, "--up-to: 'fast' is not a quantity"), (("compare", "copper", "--up-to", "-1 km/s"), 2, "give a positive one"),
+    (("compare", "copper", "-o", "copper.doc"), 2, "--out: cannot draw 'copper.doc'"),
     (("compare", "copper", "-o", "nowhere/copper.png"), 4, "no picture is written"),
     (("check", "empty"), 2, "no material in empty"), (("check", "missing.toml"), 4, "no file or folder"),
     (("check", "noise.toml"), 2, "noise.toml: material: not a UTF-8 text file"), (("show", "steel", "-m", "noise.toml"), 2, "not a UTF-8 text file")])
