@@ -84,8 +84,19 @@ def pop_plot(material: Material, pressures: Sequence[float], zone_size: float = 
     with ThreadPoolExecutor(max_workers=max(1, jobs)) as pool:
         points = [*pool.map(lambda p: initiation(charge, p, zone_size, longest), ordered[:-1]), *points]
     turned = [point for point in points if math.isfinite(point.distance)]
-    line = pop_line([p.pressure for p in turned], [p.distance for p in turned]) if len(turned) > 1 else None
-    return PopPlot(material.name, charge.speed, zone_size, tuple(points), line)
+    return PopPlot(material.name, charge.speed, zone_size, tuple(points), line_through(turned))
+
+
+def line_through(turned: Sequence[Initiation]) -> PopLine | None:
+    """The line through runs that turned into a detonation, with their scatter about it; None below two of them.
+
+    Runs have no random errors: their scatter is the curvature of the plot and the error of the mesh, which are common to all of them, and
+    a run is repeated bit for bit. So the standard deviations of a and b that independent measurements would have are not given.
+    """
+    if len(turned) < 2:
+        return None
+    line = pop_line([p.pressure for p in turned], [p.distance for p in turned])
+    return PopLine(line.a, line.b, line.deviation)
 
 
 def detonation_velocity(material: Material) -> float:

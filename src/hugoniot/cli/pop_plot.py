@@ -118,7 +118,7 @@ def _record(found, lines) -> dict:
     return {
         "material": found.material, "detonation_velocity": found.detonation_velocity, "zone_size": found.zone_size,
         "points": [{name: getattr(p, name) for name in COLUMNS} | {"zones": p.zones, "note": p.note} for p in found.points],
-        "line": found.line._asdict() if found.line else None,
+        "line": {name: getattr(found.line, name) for name in ("a", "b", "deviation")} if found.line else None,
         "published": [{"row": row.id, "material": row.material, "density": row["rho0"], "a": row["a"], "b": row["b"],
                        "pressure_low": row["pressure_low"], "pressure_high": row["pressure_high"], "source": row.source,
                        "status": row.status, "distance_ratios": [_ratio(p, row) for p in found.points]} for row in lines]}
@@ -159,7 +159,9 @@ def _tell(found, lines) -> None:
         line = found.line
         told = f"log10(p/GPa) = {line.a:.4f} {line.b:+.4f} log10(x/mm)"
         if not math.isnan(line.deviation):
-            told += f" (a +- {line.a_deviation:.2g}, b +- {line.b_deviation:.2g}; points +- {line.deviation:.2g} in log10 p)"
+            count = sum(1 for p in found.points if math.isfinite(p.distance))
+            told += (f"; the {count} runs scatter about this line by {line.deviation:.2g} in log10 p, which says nothing about the "
+                     "error of the mesh")
         typer.echo(told)
     for row in lines:
         doubt = "; not checked against the printed source" if row.status == "recalled" else ""

@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import math
 
 import numpy as np
 import pytest
@@ -47,6 +48,16 @@ def test_shocks_turn_sooner_the_stronger_they_are(plot):
         assert path[2] / times[2] == pytest.approx(point.shock_velocity, rel=0.03)
         assert np.polyfit(times[-10:], path[-10:], 1)[0] == pytest.approx(plot.detonation_velocity, rel=0.03)
         assert point.shock_velocity < point.distance / point.time < plot.detonation_velocity
+
+
+def test_runs_are_no_measurements(plot, capsys):
+    """A run is repeated bit for bit: the scatter about the line is its curvature, no standard deviation of a and b."""
+    from hugoniot.cli.pop_plot import _tell
+
+    _tell(plot, [])
+    told = next(row for row in capsys.readouterr().out.splitlines() if row.startswith("log10"))
+    assert "+-" not in told and f"the {len(plot.points)} runs scatter about this line by {plot.line.deviation:.2g} in log10 p" in told
+    assert math.isnan(plot.line.a_deviation) and math.isnan(plot.line.b_deviation)
 
 
 def test_several_runs_at_a_time_give_the_same_numbers(plot):
