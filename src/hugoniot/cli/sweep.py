@@ -179,9 +179,12 @@ def _echo_constants(rows) -> None:
     """The constants that varied by their uncertainty in the library, and how many it knows none of."""
     if not rows:
         return
+    from hugoniot.dossier.uncertainty import AT_LEAST
+
     moved = [[material, name, f"{float(value):.6g}", deviation, unit, words]
              for material, name, value, unit, deviation, words in rows if deviation]
     echo_table(["material", "constant", "value", "standard deviation", "unit", "rows of the library"], moved)
+    typer.echo(f"note: {AT_LEAST}")
     held = sum(1 for row in rows if row[1] and not row[4])
     if held:
         typer.echo(f"{held} further constants were held fixed: the library has no uncertainty for them (constants.csv)")

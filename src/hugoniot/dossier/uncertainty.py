@@ -30,6 +30,8 @@ from hugoniot.materials.tables import families, law_table
 
 FAMILIES = ("eos", "strength", "fracture")
 SAME_DENSITY = 0.02      # relative difference above which a row is of another material
+AT_LEAST = ("these standard deviations, and the spreads that follow from them, are lower bounds: where sources agree, one may have copied "
+            "or rounded the numbers of the other")
 _HUGONIOT = ("eos.c0", "eos.s", "eos.s1", "eos.s2", "eos.s3")
 _COEFFICIENTS = {"linear": ("eos.c0", "eos.s"), "quadratic": ("eos.c0", "eos.s1", "eos.s2")}
 

@@ -3,6 +3,7 @@
 import collections
 import pathlib
 
+from hugoniot.dossier.uncertainty import AT_LEAST
 from hugoniot.output.atomic import write_whole
 from hugoniot.output.seal import sealed
 from hugoniot.output.sweep_file import Column, SweepTable, together
@@ -111,7 +112,7 @@ def _constants(rows) -> str:
     others = f"<details><summary>Constants held fixed, as the library gives no uncertainty for them: {len(held)}</summary><p>"\
              f"{text('; '.join(held))}</p></details>" if held else ""
     return (f"<section><h2>Constants of the library</h2>{table(['material', 'constant', 'value', 'standard deviation', 'rows'], shown)}"
-            f"{others}</section>")
+            f"<p>{text(AT_LEAST[0].upper() + AT_LEAST[1:])}.</p>{others}</section>")
 
 
 def _rows(swept: SweepTable) -> str:

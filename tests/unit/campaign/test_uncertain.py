@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from hugoniot.campaign.ask import Wishes, run_sweep
-from hugoniot.dossier.uncertainty import uncertainty_of
+from hugoniot.cli.sweep import _echo_constants
+from hugoniot.dossier.uncertainty import AT_LEAST, uncertainty_of
 from hugoniot.errors import DeckError
 from hugoniot.materials import library
 
@@ -39,7 +40,7 @@ def water(tmp_path):
     return deck
 
 
-def test_constants_vary_as_their_covariance_says(water, tmp_path, inline):
+def test_constants_vary_as_their_covariance_says(water, tmp_path, inline, capsys):
     swept = run_sweep(water, Wishes(uncertain="library", samples=32), tmp_path / "s", engine=inline)
     table, known = swept.table, uncertainty_of(library.entry("water"))
     assert not any(table.reasons) and len(table) == 32
@@ -55,6 +56,8 @@ def test_constants_vary_as_their_covariance_says(water, tmp_path, inline):
     assert rows[1][:2] == ["water", "eos.c0"] and float(rows[1][4]) == pytest.approx(known.deviations["eos.c0"], rel=1e-3)
     page = (tmp_path / "s" / "report.html").read_text()
     assert "Constants of the library" in page and "relative to the median" in page
+    _echo_constants(swept.constants)
+    assert AT_LEAST in capsys.readouterr().out and AT_LEAST[1:] in page and "lower bound" in AT_LEAST
 
 
 def test_one_material_under_two_names_varies_as_one(water, tmp_path, inline):
