@@ -8,7 +8,8 @@ from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.explorer.subjects import entry_of, inert
 from hugoniot.explorer.transcribed import parameters
 from hugoniot.materials.entry import Entry
-from hugoniot.theory.impedance import Match, match
+from hugoniot.materials.validity import about_shock, beyond_data
+from hugoniot.theory.impedance import Match, first_jump, match
 from hugoniot.theory.uncertainty import matched, propagate
 
 MOST_LAYERS = 8
@@ -39,15 +40,8 @@ def _row(m: Match, names: Sequence[str], spreads: list) -> dict:
 
 
 def _warnings(layers: Sequence, velocity: float, met: Sequence[Match]) -> list[str]:
-    """Where a shock is stronger than the data of a material reach, and the materials' own warnings."""
-    found: list[str] = []
-    for i, layer in enumerate(layers):
-        jump = velocity - met[0].left.particle_velocity if i == 0 else met[i - 1].right.particle_velocity
-        if layer.valid_up_to and jump > layer.valid_up_to * (1.0 + 1e-9):
-            found.append(f"the data of {layer.name} end at up = {layer.valid_up_to:.6g} m/s, but the shock has up = {jump:.6g} m/s: "
-                         "extrapolated")
-        found += layer.warnings
-    return list(dict.fromkeys(found))
+    """What must be said about every layer, each once."""
+    return list(dict.fromkeys(text for i, layer in enumerate(layers) for text in about_shock(layer, first_jump(i, velocity, met))))
 
 
 # -- error bands -----------------------------------------------------------------------------------------------------
@@ -70,7 +64,8 @@ def layer(entry: Entry) -> dict[str, Any]:
         material = inert(entry)
     except DeckError as error:
         return {"none": error.problems[0].message}
-    found = {"title": entry.title, "law": parameters(material.eos), "valid_up_to": material.valid_up_to,
-             "warnings": list(material.warnings), "burns": entry.category.startswith("explosive") and entry.unreacted is not None}
+    limit, words = beyond_data(material)
+    found = {"title": entry.title, "law": parameters(material.eos), "beyond": {"limit": limit, "words": words} if words else None,
+             "warnings": about_shock(material), "burns": entry.category.startswith("explosive") and entry.unreacted is not None}
     known = fits.of_law(entry.rows, material.eos)
     return found if known is None else found | {"bands": {"names": known[0], "covariance": known[1]}}

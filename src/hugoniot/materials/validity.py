@@ -68,14 +68,22 @@ def rounded(up: float) -> str:
     return format_si(float(f"{up:.3g}"), "m/s")
 
 
+def beyond_data(material: Material) -> tuple[float, str]:
+    """(largest change of the particle velocity in a shock that needs no remark, m/s; the remark above it, {up} in place of the change)."""
+    limit = material.valid_up_to
+    if limit:
+        return limit * (1.0 + 1e-9), (f"the data of {material.name} end at up = {limit:.6g} m/s, but the shock has up = {{up}} m/s: "
+                                      "extrapolated")
+    if limit is None and not flagged(material.eos, "gas"):
+        return 0.0, f"the range of the data of {material.name} is not known: up = {{up}} m/s may lie beyond it"
+    return math.inf, ""
+
+
 def about_shock(material: Material, jump: float = 0.0) -> list[str]:
     """What must be said with an answer about a material: where a shock that changes the particle velocity by `jump` (m/s) extrapolates its
     data, what its law cannot describe, unlikely constants, its own warnings."""
-    limit, found = material.valid_up_to, []
-    if limit and jump > limit * (1.0 + 1e-9):
-        found.append(f"the data of {material.name} end at up = {limit:.6g} m/s, but the shock has up = {jump:.6g} m/s: extrapolated")
-    elif limit is None and jump > 0.0 and not flagged(material.eos, "gas"):
-        found.append(f"the range of the data of {material.name} is not known: up = {jump:.6g} m/s may lie beyond it")
+    limit, words = beyond_data(material)
+    found = [words.replace("{up}", f"{jump:.6g}")] if jump > limit else []
     if flagged(material.eos, "shocks_only"):
         found.append(SHOCKS_ONLY)
     return [*found, *unlikely(material.name, material), *material.warnings]

@@ -111,6 +111,17 @@ def test_a_match_is_that_of_the_command():
         impact.impact(["copper"], 800.0)
 
 
+@pytest.mark.parametrize("layers, beyond", [(("U012", "M010"), ("U012", "M010")), (("copper", "lif"), ("lif",)), (("copper", "air"), ())])
+def test_a_match_is_warned_of_as_by_the_command(layers, beyond):
+    """Data that end, data whose range is unknown, and a gas, of which nothing is said; the page gets the same words."""
+    mine, theirs = impact.impact(layers, 9000.0)["warnings"], printed("match", *layers, "--velocity", "9 km/s")["warnings"]
+    assert mine == theirs
+    for name in layers:
+        given = impact.layer(subjects.entry_of(name))["beyond"]
+        said = given is not None and any(text.startswith(given["words"].partition("{up}")[0]) for text in mine)
+        assert said == (name in beyond)
+
+
 def test_the_page_is_given_every_material_that_a_shock_may_meet(client):
     """With the parameters of its law, to the last bit, so that the page computes what the command prints."""
     found = ask(client, "layers")

@@ -149,7 +149,7 @@ H.impact = (() => {
     const found = [];
     layers.forEach((l, i) => {
       const jump = i === 0 ? velocity - met[0].behind.particle_velocity : met[i - 1].ahead.particle_velocity;
-      if (l.valid_up_to && jump > l.valid_up_to * (1 + 1e-9)) found.push(`the data of ${l.name} end at up = ${H.digits(l.valid_up_to)} m/s, but the shock has up = ${H.digits(jump)} m/s: extrapolated`);
+      if (l.beyond && jump > l.beyond.limit) found.push(l.beyond.words.replace("{up}", H.digits(jump)));
       found.push(...l.warnings);
     });
     return [...new Set(found)];
