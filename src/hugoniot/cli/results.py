@@ -19,6 +19,7 @@ from hugoniot.output.run_numbers import (
     spall_numbers,
     warnings_of,
 )
+from hugoniot.output.spall_records import called
 from hugoniot.units import format_si
 
 
@@ -101,7 +102,7 @@ def _echo_spall(run: Run) -> None:
     found = spall_numbers(run)
     if "region" in found:
         place = f"gauge '{found['gauge']}'" if found["gauge"] else "right face of the snapshots"
-        behind = f", window '{found['window']}'" if found["window"] else ""
+        behind = f", towards {called(run.setup, found['window'])}" if found["window"] else ""
         typer.echo(f"spall of '{found['region']}' ({place}{behind}):")
         for key, words, unit in SPALL:
             if key in found:

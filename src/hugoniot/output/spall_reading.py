@@ -24,7 +24,7 @@ from hugoniot.diagnostics.velocimetry import (
     spall_thickness,
 )
 from hugoniot.output.run import largest_value
-from hugoniot.output.spall_records import Record, ends, hit_regions, records, spalled_regions, struck, surface_record
+from hugoniot.output.spall_records import Record, called, ends, hit_regions, records, spalled_regions, struck, surface_record
 from hugoniot.units import format_si
 
 LEAST_SIGNAL = 0.4      # part of Z (u1 - u2) that the correction for a window must leave: errors of a velocity grow by its inverse
@@ -83,7 +83,7 @@ def spall_reading(run, name: str | None = None) -> Reading:
         places = sorted({places[0] for region, _, _, places in ends(run.setup) if region in hit})
         hint = f"; add one at {_listed(places)}" if places and name is None else ""
         where = "no gauge is" if name is None else f"gauge '{name}' is not"
-        return Reading(reason=f"{where} on a free surface or window interface of {_listed(hit)}, in which the void opened{hint}")
+        return Reading(reason=f"{where} on a free surface or interface of {_listed(hit)}, in which the void opened{hint}")
     read = [read_record(run, record, broken[record.region]) for record in seen]
     return next((reading for reading in read if reading.numbers), read[0])
 
@@ -115,14 +115,14 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
         return Reading(reason=reason, record=record, found=found)
     window = constants_of(run, record.window) if record.window else None
     if window is not None and not np.isfinite(window.get("s", np.nan)):
-        return Reading(reason=f"the impedance of the window '{record.window}' is not known", record=record, found=found)
+        return Reading(reason=f"the impedance of {called(run.setup, record.window)} is not known", record=record, found=found)
     body = constants_of(run, record.region)
     numbers = reading_of(before.time, before.velocity, found, body, window, record.start)
     if window and body:
         signal = body["rho0"] * body["c_bulk"] * found.drop
         left = 2.0 * numbers["spall_strength_acoustic"] / signal
         if left < LEAST_SIGNAL:
-            reason = (f"the stress carried by the window '{record.window}' leaves only {max(left, 0.0):.0%} of the pull-back for the "
+            reason = (f"the stress carried by {called(run.setup, record.window)} leaves only {max(left, 0.0):.0%} of the pull-back for the "
                       f"spall strength; a reliable reading needs {LEAST_SIGNAL:.0%}")
             numbers = {key: value for key, value in numbers.items() if not key.startswith("spall_strength")}
             return Reading(numbers, reason, record=record, found=found)

@@ -11,9 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from hugoniot.laws.eos.contract import EOS
+from hugoniot.materials import library
 from hugoniot.output.result_columns import history, record_by_record
 
-SURFACE, WINDOW = "free surface", "window interface"
+SURFACE, INTERFACE = "free surface", "interface"
 OUTWARD = 1e-3        # of the largest speed of a record: less is round-off, or what a wave sends ahead of it
 
 
@@ -21,9 +22,9 @@ OUTWARD = 1e-3        # of the largest speed of a record: less is round-off, or 
 class Record:
     """A velocity record as an interferometer sees it: velocity (m/s, outwards positive) over time (s).
 
-    gauge   name of the gauge, "" for the snapshots' right face; kind SURFACE, WINDOW or ""; region whose end it is, "" if unknown;
-    window  the region behind the interface; source how it was recorded, in words; start the velocity before the first wave, m/s;
-    ahead   the region across the gap in front of a free surface, "" if there is none
+    gauge   name of the gauge, "" for the snapshots' right face; kind SURFACE, INTERFACE or ""; region whose end it is, "" if unknown;
+    window  the region behind the interface, transparent or not; source how it was recorded, in words;
+    start   the velocity before the first wave, m/s; ahead the region across the gap in front of a free surface, "" if there is none
     outward 1 where outwards is along x, -1 where it is against it: velocity times outward is that of the gauge
     """
 
@@ -37,6 +38,13 @@ class Record:
     start: float = 0.0
     ahead: str = ""
     outward: float = 1.0
+
+
+def called(setup, region: str) -> str:
+    """A region behind an interface in words: a window only where a gauge looks through it, or the library has an index of its material."""
+    material = next((r.get("material", "") for r in setup["regions"] if r["name"] == region), "")
+    transparent = any(gauge.get("window") == region for gauge in setup.get("gauges", ())) or bool(material and library.windows(material))
+    return f"the window '{region}'" if transparent else f"'{region}'"
 
 
 def hit_regions(setup) -> list[str]:
@@ -100,12 +108,12 @@ def ends(setup) -> list[tuple[str, str, str, tuple[str, ...]]]:
                 continue
             elif np.mean(region["velocity"]) == np.mean(regions[other]["velocity"]):    # else it is where they collide
                 pair = f"{name}/{regions[other]['name']}" if side == "right" else f"{regions[other]['name']}/{name}"
-                found.append((name, WINDOW, regions[other]["name"], (pair, own)))
+                found.append((name, INTERFACE, regions[other]["name"], (pair, own)))
     return found
 
 
 def records(run) -> list[Record]:
-    """The records of every gauge at a free surface or a window interface: bodies that were hit first, inert ones before explosives, then
+    """The records of every gauge at a free surface or an interface: bodies that were hit first, inert ones before explosives, then
     gauges that the deck names, free surfaces before windows."""
     if not run.gauge_names() or "axes" in run.setup:     # of two dimensions no end is the free surface
         return []
@@ -129,7 +137,7 @@ def surface_record(run, name: str | None = None) -> Record:
     """What a velocity interferometer would record: of the gauge `name`, else of the body that was hit, else of the snapshots' right face.
 
     Of several ends that may be seen, the first that moved outwards: a face that another body strikes across a gap does not.
-    Empty where the right end is not free and no gauge rides on a free surface or a window interface.
+    Empty where the right end is not free and no gauge rides on a free surface or an interface.
     """
     seen = [record for record in records(run) if name in (None, record.gauge)]
     if name is not None and not seen:

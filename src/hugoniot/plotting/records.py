@@ -10,7 +10,7 @@ from hugoniot.diagnostics.wave_diagram import interfaces
 from hugoniot.errors import DeckError
 from hugoniot.output.result_columns import record_by_record
 from hugoniot.output.spall_reading import read_record, spall_reading
-from hugoniot.output.spall_records import SURFACE, WINDOW, spalled_regions, surface_record
+from hugoniot.output.spall_records import INTERFACE, SURFACE, called, spalled_regions, surface_record
 from hugoniot.plotting.style import (
     COLOURS,
     INK,
@@ -110,7 +110,7 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
     ax.plot(time * ft, velocity * fu, color=COLOURS[0])
     _time_axis(ax, time, unit_t, ft)
     # of a surface or window on the left the record is minus the velocity along the axis, which the table of the gauges gives
-    towards = f" towards '{record.window}'" if record.kind == WINDOW else ""
+    towards = f" towards {called(run.setup, record.window)}" if record.kind == INTERFACE else ""
     words = "free-surface velocity out of the body" if record.kind == SURFACE else f"velocity at {record.gauge}{towards}"
     ax.set_ylabel(labelled(words, unit))
     quiet_grid(ax)

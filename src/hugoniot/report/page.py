@@ -8,7 +8,7 @@ from hugoniot.output.columns import PER_AREA
 from hugoniot.output.run import Run, load
 from hugoniot.output.run_numbers import GAUGE_UNITS, IN_PLANE, SPALL, eroded_rows, gauge_rows, highest_rows, is_lower_bound, spall_numbers
 from hugoniot.output.seal import sealed
-from hugoniot.output.spall_records import SURFACE, surface_record
+from hugoniot.output.spall_records import SURFACE, called, surface_record
 from hugoniot.page import one_run
 from hugoniot.plotting.inline import picture_tasks
 from hugoniot.report import sections
@@ -79,13 +79,13 @@ def _figure(pictures: dict, name: str, more: str = "") -> str:
     return f"<figure>{pictures[name]}<figcaption>{text(_CAPTIONS[name] + more)}</figcaption></figure>"
 
 
-def _spall_words(spall: dict) -> str:
+def _spall_words(setup, spall: dict) -> str:
     """How the spall strength was read, or why it is not given."""
     if "reason" in spall:
         return f"Spall strength not given: {spall['reason']}."
     if not spall:
         return ""
-    window = f", corrected for the impedance of the window '{spall['window']}'" if spall["window"] else ""
+    window = f", corrected for the impedance of {called(setup, spall['window'])}" if spall["window"] else ""
     corrected = "spall_strength_kanel" in spall
     kanel = ", and with Kanel's (2001) correction for the erosion of the spall pulse by its elastic front" if corrected else ""
     note = f" Note: {spall['note']}." if "note" in spall else ""
@@ -97,9 +97,12 @@ def _section(title: str, *parts: str) -> str:
     return f"<section><h2>{text(title)}</h2>{body}</section>" if body else ""
 
 
-def _through(seen) -> str:
-    """What the light of the interferometer has to pass, which may be any neighbour of a body: the deck does not say what is transparent."""
-    return f" It would look through '{seen.window}', which has to be transparent for this." if seen.window else ""
+def _through(setup, seen) -> str:
+    """What the light of the interferometer has to pass, which may be any neighbour of a body, transparent or not."""
+    if not seen.window:
+        return ""
+    name = called(setup, seen.window)
+    return f" It would look through {name}{'' if name.startswith('the window') else ', which has to be transparent for this'}."
 
 
 def one_by_one(tasks: dict[str, Callable[[], str]]) -> dict[str, str]:
@@ -127,7 +130,8 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
         _section("Maps", *(_figure(pictures, name) for name in pictures if name.startswith("map_"))),
         _section("Gauge records", *(_figure(pictures, name) for name in _CAPTIONS if name.startswith("gauge_"))),
         _section("Free surface" if seen.kind == SURFACE else "Interface",
-                 _figure(pictures, "free_surface", f"{_through(seen)} Recorded by: {seen.source}. {_spall_words(spall_numbers(run))}")),
+                 _figure(pictures, "free_surface", f"{_through(run.setup, seen)} Recorded by: {seen.source}. "
+                         f"{_spall_words(run.setup, spall_numbers(run))}")),
         _section("Energy and momentum", _figure(pictures, "budget"), _figure(pictures, "errors")),
         _section("Events", sections.events(run)),
         _section("Materials", sections.materials(setup)),

@@ -6,12 +6,14 @@ where a long pulse of pressure is released: behind an impact the steep release l
 
 import json
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from hugoniot import run
 from hugoniot.cli.main import main
+from hugoniot.cli.results import _echo_spall
 from hugoniot.diagnostics.velocimetry import pull_back
 from hugoniot.errors import DeckError
 from hugoniot.laws.eos.contract import sound_speed_squared
@@ -24,12 +26,13 @@ from hugoniot.output.compare import compare
 from hugoniot.output.run_numbers import gauge_rows, highest, highest_rows, is_lower_bound, spall_numbers
 from hugoniot.output.setup_record import setup_record
 from hugoniot.output.spall_reading import constants_of, read_record, reading_of, spall_reading, through_window
-from hugoniot.output.spall_records import hit_regions, records, spalled_regions, struck, surface_record
+from hugoniot.output.spall_records import called, hit_regions, records, spalled_regions, struck, surface_record
 from hugoniot.plotting.records import free_surface as free_surface_velocity
 from hugoniot.problem import catalogue
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Profile, Pulse, Region
 from hugoniot.report import write_report
+from hugoniot.report.page import _spall_words, _through
 from hugoniot.theory.hugoniot import shock
 from hugoniot.theory.impedance import free_surface, match
 
@@ -373,6 +376,21 @@ def test_terminal_report_and_json_show_the_same_numbers(ran, capsys):
     page = write_report(folder).read_text(encoding="utf-8")
     assert strength in shown[()] and strength in page and f"{told['pull_back']:.4g} m/s" in shown[()] and f"{told['pull_back']:.4g} m/s" in page
     assert told["region"] == "target" and told["window"] == "window" and "free surface left" not in shown[()].split("spall of")[1]
+
+
+@pytest.mark.parametrize("material, gauge, words", [("backing", {}, "'backing'"), ("pmma", {}, "the window 'backing'"),
+                                                    ("backing", {"window": "backing"}, "the window 'backing'")])
+def test_only_what_is_transparent_is_called_a_window(ran, monkeypatch, capsys, material, gauge, words):
+    """In terminal, picture and report: a neighbour may be of copper."""
+    run = ran("driven, window")
+    regions = [{**region, **({"name": "backing", "material": material} if region["name"] == "window" else {})} for region in run.setup["regions"]]
+    changed = {**run.setup, "regions": regions, "gauges": [{**each, **gauge} for each in run.setup["gauges"]]}
+    found = {**spall_numbers(run), "window": "backing"}
+    monkeypatch.setattr("hugoniot.cli.results.spall_numbers", lambda run: found)
+    _echo_spall(SimpleNamespace(setup=changed))
+    assert f"towards {words})" in capsys.readouterr().out and f"impedance of {words}" in _spall_words(changed, found)
+    assert ("has to be transparent" in _through(changed, SimpleNamespace(window="backing"))) == (words[0] == "'")
+    assert f"towards {called(run.setup, 'window')} (" in run.plot.free_surface("VISAR").get_ylabel()
 
 
 def data(path, header="time [us], velocity [m/s]"):
