@@ -11,10 +11,14 @@ from hugoniot.campaign.journal import kept_answers
 from hugoniot.errors import FileTrouble
 from hugoniot.files import read_text
 from hugoniot.output.listed import check_listed
+from hugoniot.output.sweep_file import warnings_of
 
 LARGEST, MOST_ROWS, MOST_COLUMNS = 32_000_000, 20_000, 200
 RUN_COLUMNS = ("folder", "run", "case", "path", "name")     # columns that may name the run of a case
 KEPT, JOURNAL = "runs", "cases.jsonl"                       # what `hugoniot sweep --keep` writes
+CASES, SWEEP = "cases.csv", "sweep.h5"
+SAID = {"sensitivity.csv": "Sensitivity of the results to the parameters", "spread.csv": "Spread of the results",
+        "constants.csv": "Constants of the library that varied"}
 _KEY = re.compile(r"[0-9a-f]{16,64}")
 NOTHING = ("", "nan", "inf", "-inf", "none", "null", "-")     # cells without a number in a column of numbers
 _HEAD = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*$")
@@ -27,7 +31,20 @@ def table(path: Path) -> dict[str, Any]:
     """
     heads, rows = _read(path)
     columns = _columns(heads, rows)
-    return {"columns": columns, "rows": len(rows), "runs": sorted(_runs(path, columns, len(rows)))}
+    return {"columns": columns, "rows": len(rows), "runs": sorted(_runs(path, columns, len(rows))), **_beside(path)}
+
+
+def _beside(path: Path) -> dict[str, Any]:
+    """What a sweep says of its cases in the files beside cases.csv: warnings, and tables of sensitivities, spreads and constants in SI."""
+    home = path.parent
+    if path.name != CASES or not (home / SWEEP).is_file():
+        return {"warnings": [], "tables": []}
+    found = []
+    for name, title in SAID.items():
+        if (home / name).is_file():
+            heads, rows = _read(home / name)
+            found.append({"title": title, "columns": _columns(heads, rows)})
+    return {"warnings": warnings_of(home / SWEEP), "tables": found}
 
 
 def run_of_case(path: Path, row: int) -> Path:

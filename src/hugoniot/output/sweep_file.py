@@ -56,7 +56,7 @@ class SweepTable:
     @property
     def warnings(self) -> list[str]:
         """What must be said of the cases."""
-        return [line for line in str(self.attributes.get("warnings", "")).split("\n") if line]
+        return _lines_of(self.attributes)
 
     def column(self, name: str) -> Column:
         """A parameter or result by name; KeyError names what there is."""
@@ -64,6 +64,20 @@ class SweepTable:
             if column.name == name:
                 return column
         raise KeyError(f"no column '{name}'; the table has: {', '.join(c.name for c in (*self.parameters, *self.results))}")
+
+
+def _lines_of(attributes) -> list[str]:
+    return [line for line in str(attributes.get("warnings", "")).split("\n") if line]
+
+
+def warnings_of(path) -> list[str]:
+    """What must be said of the cases, from sweep.h5. Raises `FileTrouble`."""
+    from hugoniot.output.atomic import legible
+    from hugoniot.output.listed import check_listed
+
+    check_listed(path)      # before HDF5 opens it
+    with legible(path), h5py().File(path, "r") as file:
+        return _lines_of(file.attrs)
 
 
 def together(values: np.ndarray) -> np.ndarray:

@@ -10,6 +10,7 @@ from browsing import CHROMIUM, FLAGS, Visit
 from explorer_words import HOST, PLANE, STEEL, TOKEN, write_fit
 
 import hugoniot
+from hugoniot.output.sweep_file import SweepTable, write_table
 
 pytest.importorskip("starlette", reason="the explorer's server needs hugoniot[explore]")
 pytest.importorskip("httpx", reason="the test client needs httpx")
@@ -103,6 +104,8 @@ def opened(tube, plane, tmp_path_factory):
     (folder / "sweep").mkdir()
     lines = [f"tube{k},{100 + 7 * k},{(k * 37) % 11},{k ** 1.5:.4f},<img src=x onerror=alert(4)>" for k in range(40)]
     (folder / "sweep" / "cases.csv").write_text("\n".join(["case,velocity [m/s],<b onclick=alert(5)>seed</b>,peak (GPa),note", *lines]) + "\n")
+    write_table(folder / "sweep" / "sweep.h5", SweepTable((), (), (), attributes={"warnings": "<b onclick=alert(6)>extrapolated</b>\nrecalled"}))
+    (folder / "sweep" / "spread.csv").write_text("result,unit,mean,standard deviation\n<b onclick=alert(7)>peak</b>,GPa,2.5,0.125\n")
     (folder / "sweep" / "tube3.run").mkdir()
     for name in ("result.h5", "summary.json", "deck.toml", "run.log", "gauges.csv"):
         (folder / "sweep" / "tube3.run" / name).write_bytes((tube / name).read_bytes())

@@ -1,7 +1,9 @@
 """What the explorer answers is what the package computes: the same functions, the same digits."""
 
+import contextlib
 import json
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -179,6 +181,28 @@ def test_a_table_of_cases_keeps_numbers_words_and_units(client):
     assert [(c["name"], c["unit"], c["numeric"]) for c in found["columns"]] == [
         ("case", "", False), ("velocity", "m/s", True), ("peak", "GPa", True), ("<b>note</b>", "", False)]
     assert found["columns"][1]["cells"] == [100, 200, 300] and found["rows"] == 3 and found["runs"] == []
+
+
+def test_a_sweep_says_all_that_the_terminal_says(tmp_path):
+    """Its warnings, sensitivity indices and spreads, from the files that the sweep has written."""
+    from hugoniot.campaign.ask import Wishes, run_sweep
+    from hugoniot.campaign.questions import question_of
+    from hugoniot.cli.sweep import _record
+    from hugoniot.explorer import tables
+
+    @contextlib.contextmanager
+    def here(question, known):
+        asked = question_of(question)
+        yield SimpleNamespace(run=lambda tasks: ({"case": case, **asked.answer(changes, set(known))} for case, changes in tasks))
+
+    varied = ["velocity = 4 +- 0.1 km/s", "material.copper.eos.c0 = 3.94 +- 0.02 km/s"]
+    wishes = Wishes(match=["copper", "U012"], vary=varied, design="saltelli", samples=8, output=["pressure"])
+    told = _record(run_sweep(None, wishes, tmp_path / "s", engine=here, report=False))
+    found = tables.table(tmp_path / "s" / "cases.csv")
+    assert found["warnings"] == told["warnings"] and "the range of the data of U012" in " ".join(found["warnings"])
+    said = {each["title"].partition(" ")[0]: {c["name"]: c["cells"] for c in each["columns"]} for each in found["tables"]}
+    assert said["Sensitivity"]["total"] == pytest.approx([row["total"] for row in told["sensitivity"]])
+    assert said["Spread"]["mean"] == [row["mean"] for row in told["spread"]] and set(said) == {"Sensitivity", "Spread"}
 
 
 def test_a_case_opens_the_run_beside_its_table(client, places, tube, tmp_path):

@@ -31,6 +31,7 @@ def test_the_pointer_on_a_run_reads_its_file(visit, tube):
         assert value == shown(rows["pressure"][record, zone] * factor)
         assert rows["position_left"][record, zone] - 1e-6 <= x <= rows["position_right"][record, zone] + 1e-6
         assert said["record, time"].split()[1] == shown(rows["time"][record] * 1e6)
+    assert page.text_content("[data-axis=y]").endswith(f", {len(rows['time'])} snapshots")
     page.mouse.click(box["x"] + 0.5 * box["width"], box["y"] + 0.3 * box["height"])
     until(page, "location.hash.includes('z=')")
     zone = int(re.search(r"z=(\d+)", page.url).group(1))
@@ -123,6 +124,8 @@ def test_runs_lie_over_each_other(visit, tube, opened):
     here = visit()
     page = here.go("#/sweeps?sweep=0")
     page.wait_for_selector("text=40 of 40 cases, 1 with a run to open")
+    assert page.locator("main p.bad").all_text_contents() == ["<b onclick=alert(6)>extrapolated</b>", "recalled"]
+    assert "<b onclick=alert(7)>peak</b>GPa2.50.125" in page.text_content("details:has-text('Spread of the results')")
     page.locator("button[title='Open the run']").click()
     until(page, "/^#\\/runs\\?run=[2-9]/.test(location.hash)")      # after those that other tests have run
     here.settled()

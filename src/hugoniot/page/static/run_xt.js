@@ -21,7 +21,7 @@ H.XtMap = class {
     // SVG axes are in the shown units; the painter works in SI
     const inSi = (axis, f) => ({low: axis.low / f, high: axis.high / f, from: axis.from, to: axis.to, value: at => axis.value(at) / f});
     const painter = wave.paint(scale);
-    this.chart.show({series, marks: [...(data.marks || [])], heads: spaced(heads, (high - low) * fx), plain: true, x: {label: H.labelled(run.geometry === "planar" ? "position" : "radius", xUnit), min: low * fx, max: high * fx}, y: {label: H.labelled("time", tUnit), min: times[0] * ft, max: times.at(-1) * ft || 1},
+    this.chart.show({series, marks: [...(data.marks || [])], heads: spaced(heads, (high - low) * fx), plain: true, x: {label: H.labelled(run.geometry === "planar" ? "position" : "radius", xUnit), min: low * fx, max: high * fx}, y: {label: `${H.labelled("time", tUnit)}, ${times.length} snapshot${times.length === 1 ? "" : "s"}`, min: times[0] * ft, max: times.at(-1) * ft || 1},
       bar: {scale, factor, label: H.labelled(field.words, unit)},
       paint: (pixels, wide, tall, x, y, p) => painter(pixels, wide, tall, inSi(x, fx), inSi(y, ft), p),
       readings: (x, y) => { const record = wave.record(y / ft), zone = wave.zoneAt(record, x / fx); return {record, zone, x: x / fx, t: times[record], value: zone < 0 ? null : values.data[record * n + zone]}; }});

@@ -2,7 +2,7 @@
 // A table of cases: parallel coordinates and a scatter, brushed together; a case opens its run.
 (() => {
   const view = H.views.sweeps = {};
-  let select, host, parallel, scatter, xSelect, ySelect, cSelect, table, count, data, readout, order = 0, columnsBox;
+  let select, host, parallel, scatter, xSelect, ySelect, cSelect, table, count, data, readout, said, order = 0, columnsBox;
 
   view.open = main => {
     select = H.h("select", {"aria-label": "Table", onchange: () => H.set({sweep: select.value, x: "", y: "", c: "", brush: "", cols: "", sz: ""})});
@@ -16,8 +16,9 @@
     const scatterHost = H.h("div");
     table = H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"});
     readout = H.h("div", {class: "readout", "aria-live": "polite"});
+    said = H.h("div");
     main.append(H.h("div", {class: "column"}, H.h("div", {class: "bar"}, select, count, H.h("span", {class: "push"}, H.h("button", {type: "button", onclick: () => H.set({brush: ""})}, "Clear the brushes"))), columnsBox, host,
-      H.h("div", {class: "bar small"}, H.h("label", {}, "x axis", xSelect), H.h("label", {}, "y axis", ySelect), H.h("label", {}, "colour", cSelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => scatter, () => "sweep"))), scatterHost, readout, table));
+      H.h("div", {class: "bar small"}, H.h("label", {}, "x axis", xSelect), H.h("label", {}, "y axis", ySelect), H.h("label", {}, "colour", cSelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => scatter, () => "sweep"))), scatterHost, readout, said, table));
     scatter = new H.Chart(scatterHost, {label: "Cases", height: 0.42, most: 430, keep: true, zoomKey: "sz", onHover: hit => read(scatter.spec.series[hit.series].rows[hit.index]), onPick: hit => openRun(scatter.spec.series[hit.series].rows[hit.index])});
     new ResizeObserver(() => { if (data) drawParallel(); }).observe(host);
   };
@@ -33,6 +34,7 @@
       if (mine !== order) return;
       data = inWords(found);
       select.value = H.get("sweep", "0");
+      drawSaid(found);
       draw(opened);
     } catch (error) { H.failed(error); H.clear(readout).append(H.h("span", {class: "bad"}, error.message)); }
   };
@@ -146,6 +148,13 @@
   }
   function read(r) {
     H.clear(readout).append(H.h("strong", {}, `case ${r + 1}`), H.numbers(data.columns.map(c => [c.name, c.numeric ? `${H.digits(c.cells[r])} ${c.unit}` : c.cells[r] || "–"])));
+  }
+  // what the sweep says of all cases: warnings, sensitivities, spreads, constants, in SI as its files have them
+  function drawSaid(found) {
+    const grid = columns => H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, columns.map(c => H.h("th", {class: c.numeric ? "number" : ""}, c.head)))),
+      H.h("tbody", {}, columns[0].cells.map((_, r) => H.h("tr", {}, columns.map(c => H.h("td", {class: c.numeric ? "number" : ""}, c.numeric ? H.digits(c.cells[r]) : c.cells[r]))))));
+    H.clear(said).append(...found.warnings.map(w => H.h("p", {class: "bad small"}, w)),
+      ...found.tables.map(t => H.h("details", {class: "small"}, H.h("summary", {}, t.title), H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": t.title}, grid(t.columns)), H.h("p", {class: "quiet"}, "Numbers in SI units."))));
   }
   async function openRun(r) {
     read(r);
