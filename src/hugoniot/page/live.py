@@ -39,7 +39,7 @@ def zone_fields(depths: dict[str, int], plane: bool) -> list[str]:
     wide = [name for name, depth in depths.items() if depth == 2 and not name.startswith("position_")]
     if plane:
         extra = ["velocity_x", "velocity_y", "speed", *(["von_mises"] if "deviator_zz" in depths else [])]
-        return [*(n for n in wide if n not in extra), *extra]
+        return [*(n for n in wide if n not in (*extra, "eroded")), *extra]      # removed zones are not drawn
     faces = [n.removesuffix("_left") for n in wide if n.endswith("_left")]
     return [*[n for n in wide if not n.endswith(("_left", "_right"))], *faces]
 

@@ -9,7 +9,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from hugoniot.errors import DeckError
-from hugoniot.plotting.plane import map_, needs_plane, places_of, plane_field, reach
+from hugoniot.plotting.plane import map_, needs_map, needs_plane, places_of, plane_field, reach
 from hugoniot.plotting.style import RC, length_scale
 from hugoniot.plotting.xt import colours_of
 
@@ -24,6 +24,7 @@ def animate(run, field: str, path, frames_per_second: float = 12.0, every: int =
     Raises `DeckError` for a file of another kind, for too many frames, and for an .mp4 where ffmpeg is not installed.
     """
     needs_plane(run, "film")
+    needs_map(run, field)
     path = pathlib.Path(path)
     writer = _writer(path, frames_per_second)
     rows = run.arrays("snapshots")

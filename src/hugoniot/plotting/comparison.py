@@ -1,11 +1,14 @@
 """Two runs, or a run and data, over each other, and their difference below."""
 
+import textwrap
+
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from hugoniot.plotting.style import COLOURS, INK, QUIET, field_scale, labelled, quiet_grid, styled, time_scale
 
 _FIRST = ("velocity", "stress")
+WIDTH, WIDTH_BELOW = 30, 12      # characters of a y label in a line: what the heights of the panels hold
 
 
 def _robust(ax, gap, unit: str) -> None:
@@ -44,7 +47,7 @@ def comparison(compared, most: int = 6):
         above.plot(pair.a.time * ft, pair.a.values * factor, color=COLOURS[0], label=compared.name_a)
         above.plot(pair.b.time * ft, pair.b.values * factor, color=COLOURS[1], linestyle="--", label=compared.name_b)
         above.set_title(pair.a.gauge, loc="left")
-        above.set_ylabel(labelled(words, unit))
+        above.set_ylabel(textwrap.fill(labelled(words, unit), WIDTH))
         inside = np.union1d(pair.a.time, pair.b.time)
         inside = inside[(inside >= pair.norms.start) & (inside <= pair.norms.end)]
         gap = np.interp(inside, pair.b.time, pair.b.values) - np.interp(inside, pair.a.time, pair.a.values)
@@ -53,7 +56,7 @@ def comparison(compared, most: int = 6):
         below.set_xlim(above.get_xlim())
         _robust(below, gap * factor, unit)
         below.set_xlabel(labelled("time", unit_t))
-        below.set_ylabel(labelled("difference", unit))
+        below.set_ylabel(textwrap.fill(labelled("difference", unit), WIDTH_BELOW))
         quiet_grid(above)
         quiet_grid(below)
     grid[0][0].legend(frameon=False, fontsize=8, loc="best")

@@ -70,6 +70,14 @@ def borders(corners: np.ndarray, block_of: np.ndarray) -> tuple[np.ndarray, np.n
     return ordered[single], ordered[between]
 
 
+def needs_map(run, field: str) -> None:
+    """Refuse a map of a run in one dimension, and of what a map cannot show."""
+    needs_plane(run, "map")
+    if field == "eroded":
+        raise DeckError.single(run.folder, None, "field", "zones removed from the mesh are not drawn, and in all others it is 0",
+                               "draw another field, in which they are missing")
+
+
 @styled
 def map_(run, field: str = "pressure", time=None, mesh: bool | None = None, mirror: bool = True, contours: int = 0, limits=None,
          window=None, ax=None, colorbar=True):
@@ -83,7 +91,7 @@ def map_(run, field: str = "pressure", time=None, mesh: bool | None = None, mirr
     limits     (lowest, highest) value of the colour scale in SI; default from the data
     colorbar   True, or axes to draw it in, or False
     """
-    needs_plane(run, "map")
+    needs_map(run, field)
     rows = run.arrays("snapshots")
     k = snapshots_at(run, rows["time"], rows["time"][-1] if time is None else time)[0]
     values = plane_field(run, field, k)

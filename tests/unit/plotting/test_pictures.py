@@ -209,6 +209,21 @@ def test_comparison_is_drawn_with_its_difference(run, tmp_path):
         save_comparison(found, tmp_path / "none" / "c.png")
 
 
+def test_long_labels_of_a_comparison_do_not_overlap():
+    from hugoniot.core.fields import FIELDS
+    from hugoniot.diagnostics.norms import difference
+    from hugoniot.output.compare import Comparison, Pair, Record
+    from hugoniot.plotting.comparison import comparison
+
+    time = np.linspace(0.0, 1e-6, 5)
+    for name in sorted(FIELDS, key=lambda name: -len(FIELDS[name].long_name))[:3]:
+        one, two = (Record("g", name, FIELDS[name].unit, time, value * np.ones(5)) for value in (2e9, 1e9))
+        figure = comparison(Comparison("a", "b", (Pair(one, two, difference(time, one.values, time, two.values)),), ()))
+        figure.canvas.draw()
+        above, below = (ax.yaxis.label.get_window_extent() for ax in figure.axes)
+        assert not above.overlaps(below) and above.y1 <= figure.bbox.y1 and below.y0 >= 0.0, name
+
+
 def test_pressures_of_gases_are_drawn_in_their_own_unit():
     from hugoniot.laws.eos.ideal_gas import IdealGas
     from hugoniot.plotting.eos import hugoniots
@@ -295,3 +310,15 @@ def test_columns_too_large_for_memory_are_drawn_record_by_record_to_the_same_pic
     assert np.array_equal(columns.history("velocity_right", -1), whole["velocity_right"][:, -1])
     with pytest.raises(IndexError):
         columns.records("pressure")[len(whole["time"])]
+
+
+def test_a_map_of_removed_zones_is_refused():
+    """They are not drawn: the map would show the zero of all that are left."""
+    from types import SimpleNamespace
+
+    from hugoniot.page.live import zone_fields
+    from hugoniot.plotting.plane import map_
+
+    with pytest.raises(DeckError, match="not drawn"):
+        map_(SimpleNamespace(folder="a.run", setup={"axes": ("x", "y")}), "eroded")
+    assert zone_fields({"pressure": 2, "eroded": 2}, True)[0] == "pressure" and "eroded" not in zone_fields({"eroded": 2}, True)
