@@ -250,6 +250,7 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
     ('[solver]', '[[gauge]]\nname = "g"\non = "bar.rigt"\n[solver]', 19, 'gauge.g.on', "did you mean 'bar.right'"),
     ('[solver]', '[[gauge]]\nname = "g"\n[solver]', 17, 'gauge.g', 'for example at'),
     ('[solver]', '[[rigid]]\nname = "floor"\npoints = [["0 mm", "1 mm"], ["5 mm", "1 mm"]]\n[solver]', 19, 'rigid[1].points', 'at the start bodies may touch, but not overlap'),
+    ('[solver]', '[[rigid]]\nname = "bar.right"\npoints = [["0 mm", "-1 mm"], ["5 mm", "-1 mm"]]\n[solver]', 18, 'rigid[1].name', "named like a side of block 'bar'"),
     ('[solver]', '[[region]]\nname = "a"\n[solver]', 17, 'region', 'known: block'),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\nscheme = "aw"', 19, 'solver.scheme', "expected 'true_volume' or 'area_weighted'"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncourant = 3', 19, 'solver.courant', 'the limit is 1'),

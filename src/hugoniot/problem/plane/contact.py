@@ -93,6 +93,10 @@ def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector
         if row.name in names or row.name != row.name.strip() or not row.name.isprintable():
             message = f"'{printable(row.name)}' is taken or is not a valid name"
             collector.add((*path, "name"), message, "names of blocks and rigid bodies must differ")
+        block, dot, _ = row.name.partition(".")
+        if dot and block in blocks:     # "bar.right" is a side of it, whose forces and work would be added to those of the body
+            collector.add((*path, "name"), f"'{printable(row.name)}' is named like a side of block '{printable(block)}'",
+                          "choose a name without a full stop")
         names.add(row.name)
         if len(set(row.points)) < len(row.points):
             collector.add((*path, "points"), "lists a point twice", "leave the last point out: closed = true joins it to the first")
