@@ -22,7 +22,7 @@ def parts(name: str) -> tuple[str, ...]:
     text = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
     for ours, theirs in _SAME.items():
         text = text.replace(ours, theirs)
-    return tuple(sorted("aluminum" if run in ("al", "alu") else run for run in re.findall(r"[a-z]+|[0-9]+", text)))
+    return tuple(sorted("aluminum" if run == "al" else run for run in re.findall(r"[a-z]+|[0-9]+", text)))
 
 
 def words(text: str) -> set[str]:

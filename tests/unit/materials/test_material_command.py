@@ -156,6 +156,13 @@ def test_parts_of_a_name_in_any_order(typed, name):
     assert library.entry(typed).name == name
 
 
+@pytest.mark.parametrize("typed", ["alu", "6061 alu"])
+def test_a_name_that_is_not_listed_is_not_taken(typed):
+    """Of aluminium the library lists al and aluminum, and both spellings of the word; alu would be 6061 without saying so."""
+    with pytest.raises(library.UnknownMaterial, match="nearest"):
+        library.entry(typed)
+
+
 def test_a_name_of_the_tables_stays_that_row():
     assert library.entry("Steel 347").name != "steel_304"
     with pytest.raises(library.UnknownMaterial, match="nearest.*steel_304"):
