@@ -38,7 +38,7 @@ def command(
         "uncertainties.")] = None,
     keep: Annotated[bool, typer.Option("--keep", help="Keep the run folder of every case.")] = False,
     time_limit: Annotated[float | None, typer.Option("--time-limit", help="Wall-clock time in seconds after which a case is "
-        "stopped.")] = None,
+        "stopped. Loading does not count, and every function that a case has to compile adds 120 s.")] = None,
     workers: Annotated[int | None, typer.Option("--workers", "-w", help="Number of worker processes (default: one per processor).")] = None,
     engine: Annotated[str, typer.Option("--engine", help="Where cases run: local (this machine) or dask (a cluster).")] = "local",
     scheduler: Annotated[str | None, typer.Option("--scheduler", help="With dask: address of the scheduler, such as "

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -66,6 +67,25 @@ def test_a_case_that_hangs_is_ended_at_its_limit(deck, tmp_path):
         answers = list(pool.run([(0, {"region.target.zones": 16}), (1, {}), (2, {"region.target.zones": 12})]))
     assert ["numbers" in a for a in answers] == [True, False, True]
     assert answers[1] == {"case": 1, "late": 0.3}
+
+
+def test_the_help_says_what_counts_towards_the_limit(deck, monkeypatch):
+    """A function that has to be compiled adds its seconds to the limit of the case; the help and the guide name them."""
+    from types import SimpleNamespace
+
+    from typer.main import get_command
+
+    from hugoniot.campaign.pool import COMPILING_SECONDS
+    from hugoniot.cli.main import build_app
+
+    pool = LocalPool(Deck(deck.read_text(), "d.toml").record(), 1, time_limit=5.0)
+    worker = SimpleNamespace(case=0, deadline=1e12, heard=lambda: [{"compiling": "one"}, {"compiling": "two"}])
+    pool.workers, pool.selector = [worker], SimpleNamespace(select=lambda wait: [(SimpleNamespace(data=worker), None)])
+    pool._news()
+    assert worker.deadline == 1e12 + 2 * COMPILING_SECONDS
+    option = next(p for p in get_command(build_app("sweep")).commands["sweep"].params if "--time-limit" in p.opts)
+    said = f"has to compile adds {COMPILING_SECONDS:g} s"
+    assert said in option.help and said in (Path(__file__).parents[3] / "docs" / "campaigns.md").read_text(encoding="utf-8")
 
 
 def test_workers_that_cannot_start_are_noticed(monkeypatch, deck):
