@@ -25,11 +25,11 @@ from hugoniot.dossier import fits
 from hugoniot.materials import cards, schema
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.material import Material
+from hugoniot.materials.reach import SAME_DENSITY
 from hugoniot.materials.record import mark
 from hugoniot.materials.tables import families, law_table
 
 FAMILIES = ("eos", "strength", "fracture")
-SAME_DENSITY = 0.02      # relative difference above which a row is of another material
 AT_LEAST = ("these standard deviations, and the spreads that follow from them, are lower bounds: where sources agree, one may have copied "
             "or rounded the numbers of the other")
 _HUGONIOT = ("eos.c0", "eos.s", "eos.s1", "eos.s2", "eos.s3")

@@ -4,15 +4,18 @@ A row without a range is not valid everywhere: where it ends is not known, and t
 """
 
 import re
+from functools import cache
 
 from hugoniot.laws.eos.contract import flagged
 from hugoniot.materials import schema
 from hugoniot.materials.material import Material
 from hugoniot.materials.schema import Row
+from hugoniot.materials.search import substance
 from hugoniot.materials.validity import range_of as range_of_validity
 from hugoniot.materials.validity import rounded
 from hugoniot.units import format_si
 
+SAME_DENSITY = 0.02   # relative difference above which a row is of another material
 FAR_BRANCH = 1000.0  # m/s: a row whose data begin above this particle velocity describes the far side of a transition, or melt
 _ROW = re.compile(r"\brow (U\d{3})\b")
 
@@ -40,8 +43,36 @@ def data_begin(material: Material) -> float:
     """Particle velocity (m/s) at which the data behind a material's Hugoniot begin, where they lie beyond a transition or melt; else 0."""
     source = _range_source(material)
     row = _range_row(source) if source else None
-    begin = row.get("up_min", 0.0) if row else 0.0
-    return begin if begin >= FAR_BRANCH else 0.0
+    return far_begin(row) if row else 0.0
+
+
+def far_begin(row: Row) -> float:
+    """Particle velocity (m/s) at which the data of a row begin, if on the far side of a transition or melt; else 0.
+
+    They do if they begin above `FAR_BRANCH`, or with a shock slower than the sound speed at zero pressure that another row of the same
+    substance has: the elastic or acoustic front outruns such a shock, so that it starts from a compressed state.
+    """
+    begin = row.get("up_min", 0.0)
+    if not begin or begin >= FAR_BRANCH or "c0" not in row or "rho0" not in row:
+        return begin if begin >= FAR_BRANCH else 0.0
+    slowest = row["c0"] + row.get("s", 0.0) * begin        # the higher terms of a fit are small where its data begin
+    return begin if any(slowest < speed for speed in _sound_speeds(row)) else 0.0
+
+
+def _sound_speeds(row: Row) -> list[float]:
+    """Those of the other Us-up rows of a substance at the same density, extrapolated to zero pressure from less than `FAR_BRANCH`; m/s."""
+    others = _by_substance().get(substance(row.material), ())
+    return [other["c0"] for other in others if other.id != row.id and abs(other["rho0"] / row["rho0"] - 1.0) < SAME_DENSITY
+            and other.get("up_min", FAR_BRANCH) < FAR_BRANCH]
+
+
+@cache
+def _by_substance() -> dict[str, list[Row]]:
+    found: dict[str, list[Row]] = {}
+    for row in schema.table("us_up").values():
+        if "c0" in row and "rho0" in row:
+            found.setdefault(substance(row.material), []).append(row)
+    return found
 
 
 def _range_source(material: Material):

@@ -9,6 +9,22 @@ from collections.abc import Iterable, Mapping
 _SAME = {"aluminium": "aluminum", "sulphur": "sulfur", "grey": "gray", "polythene": "polyethylene", "plexiglass": "plexiglas"}
 
 
+_SYMBOLS = {
+    "ag": "silver", "al": "aluminum", "au": "gold", "ba": "barium", "be": "beryllium", "bi": "bismuth", "ca": "calcium", "cd":
+    "cadmium", "co": "cobalt", "cr": "chromium", "cs": "cesium", "cu": "copper", "fe": "iron", "ge": "germanium", "hg": "mercury",
+    "in": "indium", "k": "potassium", "li": "lithium", "mg": "magnesium", "mo": "molybdenum", "na": "sodium", "nb": "niobium", "ni":
+    "nickel", "pb": "lead", "pd": "palladium", "pt": "platinum", "rb": "rubidium", "rh": "rhodium", "sn": "tin", "sr": "strontium",
+    "ta": "tantalum", "th": "thorium", "ti": "titanium", "tl": "thallium", "u": "uranium", "v": "vanadium", "w": "tungsten", "zn":
+    "zinc", "zr": "zirconium",
+}
+
+
+def substance(name: str) -> str:
+    """What a row of the tables is of, without the remarks on its state: "Bi" and "Bismuth, 0.3 to 1.1 km/s" are of bismuth."""
+    text = spelling(re.split(r"[,(]", name)[0])
+    return _SYMBOLS.get(text, text)
+
+
 def spelling(name: str) -> str:
     """A name reduced to what tells it from others: lower case letters and digits, one spelling of aluminium."""
     text = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()

@@ -6,7 +6,8 @@ import pytest
 
 from hugoniot.cli import main as front
 from hugoniot.materials import library, marks, schema
-from hugoniot.materials.reach import range_of, reach
+from hugoniot.materials.reach import far_begin, range_of, reach
+from hugoniot.materials.search import substance
 
 DECK = """geometry = "planar"
 stop_time = "1 us"
@@ -81,3 +82,14 @@ def test_check_tells_both(tmp_path, capsys):
     assert "range of the data of molybdenum: not stated" in out
     ranges = json.loads(told("--json"))["ranges"]
     assert ranges["nickel"]["up_to"] == 2145.0 and ranges["molybdenum"]["up_to"] is None
+
+
+def test_data_that_begin_with_a_shock_slower_than_sound_lie_beyond_a_transition():
+    """Bismuth: 1113 + 2.14 * 300 = 1755 m/s, below its bulk sound speed of about 1790 m/s (31 GPa, 9.8 g/cm3): a first wave runs ahead.
+
+    No other row that begins below 1 km/s has such data.
+    """
+    rows = [row for row in schema.table("us_up").values() if 0.0 < row.get("up_min", 0.0) < 1000.0]
+    assert [row.id for row in rows if far_begin(row)] == ["U242"] and len(rows) > 40
+    assert any("begin at a particle velocity of 300 m/s; weaker shocks" in w for w in library.find("U242").warnings)
+    assert {substance(name) for name in ("Bi", "Bismuth, compressed", "bismuth (cast)")} == {"bismuth"}

@@ -16,7 +16,7 @@ from hugoniot.errors import DeckError, DeckProblem
 from hugoniot.materials import cards, schema, static_compression
 from hugoniot.materials.entry import Entry, make_entry, read_file
 from hugoniot.materials.material import Material
-from hugoniot.materials.reach import FAR_BRANCH
+from hugoniot.materials.reach import far_begin
 from hugoniot.materials.search import matches, nearest, parts, spelling
 
 HERE = Path(__file__).parent
@@ -238,8 +238,8 @@ def _of_row(identity: str) -> Entry:
 
 def _branch(name: str, identity: str | None) -> list[str]:
     """What is said of a material whose line holds on the far side of a transition only."""
-    begin = schema.row(identity).get("up_min", 0.0) if identity else 0.0
-    if begin < FAR_BRANCH:
+    begin = far_begin(schema.row(identity)) if identity else 0.0
+    if not begin:
         return []
     return [f"the data of row {identity} ({name}) begin at a particle velocity of {begin:g} m/s; weaker shocks may follow another branch "
             "of the Hugoniot"]
