@@ -215,7 +215,7 @@ def budget(run, ax=None):
     ax = ax if ax is not None else new_axes()
     rows = run.arrays("budget")
     lines = [(words, rows[name].sum(axis=1) if rows[name].ndim == 2 else rows[name]) for name, words in _PARTS if name in rows]
-    ends = [rows[name] for name in ("work_left", "work_right") if name in rows]
+    ends = [rows[name] for name in rows if name in ("work_left", "work_right") or name.startswith("work ")]     # in 2d: of every chain
     if ends and "boundary_work" not in rows:
         lines.append(("boundary work", np.sum(ends, axis=0)))
     # internal energy counts from where it starts: only its change takes part in the exchange

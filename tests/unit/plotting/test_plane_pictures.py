@@ -8,14 +8,18 @@ import numpy as np
 import pytest
 from matplotlib.collections import PolyCollection
 from PIL import Image
+from plane_builders import aluminium, box, problem
 from plane_runs import GROWTH, STRETCH, record
 
+import hugoniot
 from hugoniot.cli.main import main
 from hugoniot.diagnostics.stress2d import lode_angle, principal_angle, principal_deviators, von_mises
 from hugoniot.errors import DeckError
 from hugoniot.plotting.animate import animate
 from hugoniot.plotting.plane import borders, plane_setup
 from hugoniot.plotting.records import gauge
+from hugoniot.problem.model import Pulse
+from hugoniot.problem.plane.model import Boundary2D
 from hugoniot.report import write_report
 
 matplotlib.use("Agg")
@@ -149,3 +153,17 @@ def test_principal_stresses_turn_with_the_frame():
         assert lode_angle(sxx, syy, sxy, szz) == pytest.approx(-np.pi / 6, abs=1e-7)
         assert lode_angle(-sxx, -syy, -sxy, -szz) == pytest.approx(np.pi / 6, abs=1e-7)
     assert lode_angle(1.0, -1.0, 0.0, 0.0) == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("force, boundaries, words", [((0.0, -1e6), (), "work of the body force"),
+                                                      ((0.0, 0.0), (Boundary2D(("b.bottom",), "velocity", Pulse("constant", amplitude=1.0)),), "boundary work")])
+def test_what_is_drawn_of_the_energy_adds_up(tmp_path, force, boundaries, words):
+    """A body that falls freely has the kinetic energy m (g t)^2/2, which is the work of its weight; that of a driven edge is drawn likewise."""
+    given = problem(box(2, 2, 1e-3, 1e-3, material="al"), aluminium(), 1e-6, boundaries, body_force=force)
+    found = hugoniot.run(given, out=tmp_path / "fall.run")
+    ax = found.plot.budget()
+    lines = {text.get_text(): line.get_ydata()[-1] - line.get_ydata()[0] for text, line in zip(ax.texts, ax.lines)}
+    # what is less than 1e-4 of the largest is not drawn
+    assert lines[words] == pytest.approx(lines["kinetic"] + lines.get("internal", 0.0), rel=1e-3) and lines[words] > 0.0
+    if any(force):
+        assert lines[words] == pytest.approx(0.5 * 2700.0 * 1e-6 * (1e6 * 1e-6) ** 2, rel=1e-9) and found.unit("budget", "force_work") == "J/m"

@@ -97,7 +97,7 @@ def signal_rate(solver) -> float:
 
 
 def exchanges(solver) -> dict[str, float]:
-    """Work (J) and impulse (kg m/s) of every chain of boundary edges so far and, where something burns, the heat released (J).
+    """Work (J) and impulse (kg m/s) of every chain of edges so far, the work of a body force (J), and the heat that burning released (J).
 
     What a wall that lets go, which is a rigid body of the name of its chain, does to the material is counted for the chain.
     """
@@ -108,6 +108,8 @@ def exchanges(solver) -> dict[str, float]:
         for word, value in zip(("work", "impulse_x", "impulse_y"), values):
             found[f"{word} {name}"] = found.get(f"{word} {name}", 0.0) + float(value)
     found |= solver.contact.exchanges()
+    if any(solver.problem.body_force):
+        found["force_work"] = float(solver.control[L.GRAVITY_WORK])
     if solver.burning:
         found["released_heat"] = reactive.released_heat(solver.problem, solver.zones[Z.mass], solver.charge[B.lam], ranges(solver.problem))
     return found
