@@ -9,7 +9,7 @@ from hugoniot.laws.eos.contract import has_temperature, pressure, reference_stat
 from hugoniot.materials import library, schema
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.marks import marks
-from hugoniot.materials.reach import data_begin, range_of, reach
+from hugoniot.materials.reach import data_begin, extrapolated_sound, range_of, reach
 from hugoniot.materials.record import mark, material_record
 
 
@@ -19,7 +19,7 @@ def described(entry: Entry) -> dict:
     return {
         "name": entry.name, "title": entry.title, "category": entry.category, "aliases": list(entry.aliases), "curated": entry.curated,
         "laws": entry.material.laws(), "valid_up_to": entry.material.valid_up_to, "reach": reach(entry.material),
-        "data_begin": data_begin(entry.material) or None,
+        "data_begin": data_begin(entry.material) or None, "sound_speed_of_others": extrapolated_sound(entry.material),
         "warnings": list(entry.material.warnings),
         "constants": material_record(entry.material),
         "derived": {k: q._asdict() for k, q in derived.items()},
@@ -48,7 +48,7 @@ def described_row(identity: str) -> dict:
         "name": identity, "title": f"{row.material or row.get('quantity', '')} (row {identity} of {row.table})",
         "category": str(row.get("category", row.table)), "aliases": [], "curated": False, "laws": {}, "valid_up_to": row.get("up_max"),
         "reach": range_of(row) if row.table == "us_up" else "does not apply", "warnings": list(marks(row)),
-        "data_begin": None, "constants": constants, "derived": {}, "reasons": {}, "missing": [],
+        "data_begin": None, "sound_speed_of_others": None, "constants": constants, "derived": {}, "reasons": {}, "missing": [],
         "notes": [*words, *([row.note] if row.note else [])], "others": [], "fits": [],
         "meanings": {}, "reference": None,
     }

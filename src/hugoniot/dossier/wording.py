@@ -116,6 +116,11 @@ def differences(about: dict) -> str:
     if about["data_begin"] and "bulk_sound_speed" in about["derived"]:
         found.append(f"They describe the fitted law, whose data begin at a particle velocity of {about['data_begin']:g} m/s; at low "
                      "pressure the real material has different sound speeds and elastic constants.")
+    if about["sound_speed_of_others"] and "bulk_sound_speed" in about["derived"]:
+        begin, low, high = (f"{v:.4g}" for v in about["sound_speed_of_others"])
+        span = low if low == high else f"{low} to {high}"
+        found.append(f"The bulk sound speed is extrapolated from data that begin at a particle velocity of {begin} m/s; other rows of the "
+                     f"library give {span} m/s.")
     if about["laws"].get("strength") == "steinberg_guinan" and "shear_modulus" in about["derived"]:
         stated = {c["quantity"]: c["value"] for c in about["constants"]}
         ratio = about["derived"]["shear_modulus"]["value"] / stated["strength.shear_modulus"]

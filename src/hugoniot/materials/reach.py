@@ -16,6 +16,7 @@ from hugoniot.materials.validity import rounded
 from hugoniot.units import format_si
 
 SAME_DENSITY = 0.02   # relative difference above which a row is of another material
+ALIKE = 0.1           # relative difference of sound speeds from which rows disagree
 FAR_BRANCH = 1000.0  # m/s: a row whose data begin above this particle velocity describes the far side of a transition, or melt
 _ROW = re.compile(r"\brow (U\d{3})\b")
 
@@ -56,13 +57,24 @@ def far_begin(row: Row) -> float:
     if not begin or begin >= FAR_BRANCH or "c0" not in row or "rho0" not in row:
         return begin if begin >= FAR_BRANCH else 0.0
     slowest = row["c0"] + row.get("s", 0.0) * begin        # the higher terms of a fit are small where its data begin
-    return begin if any(slowest < speed for speed in _sound_speeds(row)) else 0.0
+    return begin if any(slowest < other["c0"] for other in _others(row)) else 0.0
 
 
-def _sound_speeds(row: Row) -> list[float]:
-    """Those of the other Us-up rows of a substance at the same density, extrapolated to zero pressure from less than `FAR_BRANCH`; m/s."""
+def extrapolated_sound(material: Material) -> tuple[float, float, float] | None:
+    """(particle velocity at which the data begin, lowest and highest sound speed of other rows of the substance, m/s) where one of them
+    differs from that of the material's row by more than `ALIKE`, so that its intercept is no measured sound speed; None elsewhere."""
+    source = _range_source(material)
+    row = _range_row(source) if source else None
+    if row is None or far_begin(row) or not row.get("up_min") or "c0" not in row or "rho0" not in row:
+        return None
+    others = [other["c0"] for other in _others(row) if not far_begin(other)]
+    return (row["up_min"], min(others), max(others)) if any(abs(c / row["c0"] - 1.0) > ALIKE for c in others) else None
+
+
+def _others(row: Row) -> list[Row]:
+    """The other Us-up rows of a substance at the same density, whose data begin below `FAR_BRANCH`."""
     others = _by_substance().get(substance(row.material), ())
-    return [other["c0"] for other in others if other.id != row.id and abs(other["rho0"] / row["rho0"] - 1.0) < SAME_DENSITY
+    return [other for other in others if other.id != row.id and abs(other["rho0"] / row["rho0"] - 1.0) < SAME_DENSITY
             and other.get("up_min", FAR_BRANCH) < FAR_BRANCH]
 
 

@@ -137,6 +137,14 @@ def test_derived_constants_of_a_law_fitted_beyond_a_transition_are_called_so(nam
     assert (f"data begin at a particle velocity of {begins or 0:g} m/s" in differences(about)) == (begins is not None)
 
 
+@pytest.mark.parametrize("name, words", [("U204", "begin at a particle velocity of 900 m/s; other rows of the library give 1484 to 1833 m/s"),
+                                         ("copper", ""), ("U242", "")])
+def test_an_intercept_that_other_sources_contradict_is_no_measured_sound_speed(name, words):
+    """A line through water's states from 0.9 km/s on meets zero at 2233 m/s; sound runs at 1.48 km/s."""
+    told = differences(described(library.entry(name)))
+    assert words in told and ("is extrapolated from data" in told) == bool(words)
+
+
 def test_the_yield_stress_says_which_strain_and_rate_it_is_for():
     """The 0.80 GPa of uranium are twice the constant of its law: they include the hardening by the initial strain."""
     for entry in library.find_all():
