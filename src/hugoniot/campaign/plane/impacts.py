@@ -153,19 +153,23 @@ def behind(solver):
     x, y = centres(solver)
     p, y = solver.zones[Z.p], np.abs(y)
     inside = (y < 0.5e-3) & (x > POINT - 8e-3) & (x < POINT - 3e-3)
-    rows = np.linspace(0.6e-3, 1.6e-3, 11)
-    places = [crossing(x, p, np.abs(y - row) < 0.12e-3 * 20 / solver.problem.blocks[0].zones[1], 0.5 * pressure) for row in rows]
-    found = np.arctan(-1.0 / np.polyfit(rows, places, 1)[0])
+    shape = (2, *solver.problem.blocks[0].zones)
+    front = [place for part in zip(x.reshape(shape), y.reshape(shape), p.reshape(shape)) for place in crossings(*part, 0.5 * pressure)]
+    along, across = np.array([place for place in front if 0.6e-3 < place[1] < 1.6e-3]).T
+    found = np.arctan(-1.0 / np.polyfit(across, along, 1)[0])
     return {"pressure": float(abs(p[inside].mean() / pressure - 1.0)), "shock_angle": float(np.degrees(abs(found - angle))),
             "contact_depth": solver.results()["contact_depth"]}
 
 
-def crossing(x, p, near, level):
-    """The largest x at which the pressure of the zones `near` rises through a level."""
-    order = np.argsort(x[near])
-    xs, ps = x[near][order], p[near][order]
-    k = np.flatnonzero(ps > level)[-1]
-    return xs[k] + (xs[k + 1] - xs[k]) * (ps[k] - level) / (ps[k] - ps[k + 1])
+def crossings(x, y, p, level):
+    """(x, y) where the pressure last falls through a level along every row of zones (second index): the zones of one row have one distance
+    to the surface that strikes, so that none of its points depends on which rows a line through the front happens to meet."""
+    found = []
+    for row in np.flatnonzero((p > level).any(axis=0)):
+        k = np.flatnonzero(p[:, row] > level)[-1]
+        part = (p[k, row] - level) / (p[k, row] - p[k + 1, row])
+        found.append((x[k, row] + part * (x[k + 1, row] - x[k, row]), y[k, row] + part * (y[k + 1, row] - y[k, row])))
+    return found
 
 
 MEETING = POINT * np.tan(LEAN) / FLIGHT
