@@ -46,10 +46,6 @@ from = "1 mm"
 to = "3 mm"
 zones = 40
 velocity = "-700 m/s"
-[solver.viscosity]
-law = "limited"
-quadratic = 0.6666666666666666
-linear = 0.3
 """ + ALUMINIUM
 
 

@@ -146,7 +146,7 @@ def test_a_shock_in_a_solid_keeps_to_its_plateau(speed):
         highest = max(highest, solver.zones[Z.sigma].max()) if solver.time > 0.2e-6 else 0.0
     plateau, peaks = solver.zones[Z.sigma, 62:72].mean(), solver.peaks()["peak_stress"]
     assert highest < 1.01 * plateau
-    assert peaks.max() > 1.04 * plateau and peaks[~forming(plates)].max() < 1.01 * plateau      # where it started, and elsewhere
+    assert peaks.max() > 1.03 * plateau and peaks[~forming(plates)].max() < 1.01 * plateau      # where it started, and elsewhere
 
 
 def test_the_centre_of_a_plate_knows_nothing_of_its_edge_at_first():
@@ -156,3 +156,29 @@ def test_the_centre_of_a_plate_knows_nothing_of_its_edge_at_first():
     target, strip = disc.zones[Z.p, 20 * 12:].reshape(20, 24), plate.zones[Z.p, 12:]
     assert np.allclose(target[0], strip, rtol=0, atol=3e-3 * strip.max())
     assert target[-1].max() < 0.9 * strip.max()
+
+
+LIQUID = MieGruneisen(8930.0, 3940.0, 1.489, 1.99)
+PLASTIC = MieGruneisen(1186.0, 2600.0, 1.52, 1.0)
+
+
+@pytest.mark.parametrize("law, strength, speed, cells", [
+    (LIQUID, None, 1000.0, "quads"), (LIQUID, None, 1000.0, "triangles"), (LIQUID, PerfectlyPlastic(47e9, 0.12e9), 9000.0, "quads"),
+    (PLASTIC, None, 5000.0, "quads"), (PLASTIC, PerfectlyPlastic(2.3e9, 0.4e9), 5000.0, "quads"),
+    (PLASTIC, PerfectlyPlastic(2.3e9, 0.4e9), 5000.0, "triangles")])
+def test_a_shock_in_condensed_matter_does_not_overshoot(law, strength, speed, cells):
+    """Symmetric impact, half of it on a wall: behind the first ten zones no zone exceeds the pressure of the jump conditions by 0.6 %, nor
+    does a node rebound with more than 0.4 % of its velocity. Strength takes up to 1 % off this pressure here."""
+    count, length, half = 60, 5e-3, 0.5 * speed
+    shock = law.c0 + law.s * half
+    given = problem(box(1, count, length / count, length, material="m", velocity=VelocityField(base=(0.0, -half))),
+                    Material("m", law, strength), 0.7 * length / shock, walls("b.bottom", "b.left", "b.right"), viscosity=Viscosity2D(),
+                    cells=cells)
+    solver, peak, rebound = Lagrange2D(given), 0.0, 0.0
+    while solver.time < given.stop_time:
+        solver.march(given.stop_time, 1)
+        peak = max(peak, solver.zones[Z.p].reshape(-1, count)[:, 10:].max())
+        rebound = max(rebound, solver.nodes[N.v].reshape(2, -1)[:, 10:].max())
+    level = law.rho0 * shock * half
+    assert 0.99 * level < peak < 1.006 * level
+    assert rebound < 0.004 * half

@@ -178,6 +178,20 @@ def test_defaults_follow_the_mesh_and_the_geometry():
     assert isinstance(problem.blocks[0].shape, Sector) and problem.mesh.chains["bar.top"].on_axis
 
 
+@pytest.mark.parametrize(("given", "fluid", "solid"), [
+    ("", (0.3, 1.0), (0.3, 1.0)), ("linear = 0.3", (0.3, 0.3), (0.3, 1.0)), ("solid_linear = 0.1", (0.3, 1.0), (0.1, 0.1)),
+    ("linear = 0.1, linear_condensed = 0.7", (0.1, 0.7), (0.3, 1.0)), ("solid_linear_condensed = 0.7", (0.3, 1.0), (0.3, 0.7))])
+def test_a_linear_viscosity_given_alone_holds_in_every_shock(given, fluid, solid):
+    """As in one dimension; the resolved deck says which, that of Herrmann's viscosity has no key that it does not use."""
+    read = read_deck_text(BAR + f"viscosity = {{{given}}}\n", "deck.toml")
+    found = read.problem.solver.viscosity
+    assert (found.linear, found.linear_condensed) == fluid and (found.solid_linear, found.solid_linear_condensed) == solid
+    again = read_deck_text(read.resolved, "deck.toml")
+    assert again.resolved == read.resolved and again.problem.solver.viscosity == found
+    herrmann = read_deck_text(BAR + 'viscosity = {kind = "herrmann", limited = false}\n', "deck.toml").resolved
+    assert "condensed" not in herrmann and read_deck_text(herrmann, "deck.toml").resolved == herrmann
+
+
 def test_the_schema_names_every_key_of_the_resolved_deck(everything):
     schema = json_schema("lagrange2d")
     assert {"title", "geometry", "block", "boundary", "gauge", "lighting", "body_force", "solver"} <= set(schema["properties"])
@@ -219,6 +233,10 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "herrmann"}', 19, "solver.viscosity", "no limiter"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "herrmann", limited = false, solid_linear = 0.1}', 19,
      "solver.viscosity.solid_linear", "does not apply to Herrmann's viscosity"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "herrmann", limited = false, solid_linear_condensed = 1.0}', 19,
+     "solver.viscosity.solid_linear_condensed", "one linear coefficient for weak and strong shocks"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "herrmann", limited = false, linear_condensed = 1.0}', 19,
+     "solver.viscosity.linear_condensed", "use linear"),
     ('geometry = "axisymmetric"', 'geometry = "axisymmetric"\nbody_force = [1, 0]', 3, "body_force", "not uniform about the axis"),
     ("[solver]", '[[gauge]]\nname = "g"\nat = ["9 mm", 0]\n[solver]', 19, "gauge.g.at", "no material at"),
     ("[solver]", '[[gauge]]\nname = "g"\non = "bar.left"\nat = [0, 0]\n[solver]', 17, "gauge.g", "got at and on"),

@@ -7,7 +7,9 @@ import pytest
 from plane_builders import Boundary2D, Pulse, Viscosity2D, aluminium, box, gas, problem, ran, walls
 
 from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.fracture.spall_stress import SpallStress
+from hugoniot.materials.material import Material
 from hugoniot.mesh.shapes import Curve, Edges, Sector
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, Region, SolverOptions
 from hugoniot.problem.plane.model import Block2D, VelocityField
@@ -65,11 +67,10 @@ def test_a_linear_velocity_field_gives_its_own_rates(turn):
 
 
 def strip_1d(n, material, stop, left, right, steps, **state):
-    """The run in one dimension, with the one linear coefficient that two dimensions have for all jumps."""
-    viscosity = ("limited", {"linear": 0.3, "linear_condensed": 0.3}) if material.burn is None else None
+    """The run in one dimension, with its default viscosity."""
     region = Region("b", material.name, 0.0, 1.0, n, **state)
     given = Problem("strip", "planar", stop, (region,), {material.name: material}, left, right, output=OutputOptions(report=False),
-                    solver=SolverOptions(courant=0.4, viscosity=viscosity, options={"heat_flux": 0.0}, **steps))
+                    solver=SolverOptions(courant=0.4, options={"heat_flux": 0.0}, **steps))
     solver = Lagrange1D(given)
     while solver.time < stop:
         solver.march(stop, 1000)
@@ -77,15 +78,17 @@ def strip_1d(n, material, stop, left, right, steps, **state):
 
 
 @pytest.mark.parametrize("geometry", ["plane", "axisymmetric"])
-@pytest.mark.parametrize("solid", [False, True])
-def test_a_strip_is_the_one_dimensional_solver(geometry, solid):
-    """A shock along y, in the plane and as a slab of a cylinder: the one-dimensional run, zone by zone.
+@pytest.mark.parametrize("kind", ["gas", "liquid", "solid", "porous"])
+def test_a_strip_is_the_one_dimensional_solver(geometry, kind):
+    """A shock along y, in the plane and as a slab of a cylinder: the one-dimensional run, zone by zone, with the default viscosity of both.
 
-    The solid takes steps of given length: in one dimension the foot of a wave, however faint, limits the step, in two in proportion only.
+    Condensed matter takes steps of given length: in one dimension the foot of a wave, however faint, limits the step, in two in proportion only.
     Its end starts to move between two steps, by a jump; the zones have sizes without rounding, so that none of it decides what the limiter
     does before.
     """
-    n, material = 32, aluminium() if solid else gas(1.4)
+    n, solid = 32, kind != "gas"
+    material = {"gas": gas(1.4), "solid": aluminium(), "porous": Material("foam", EOS.get("p_alpha").example),
+                "liquid": dataclasses.replace(aluminium(), strength=None)}[kind]
     state = {} if solid else {"density": 1.0, "pressure": 1.0}
     speed, stop = (300.0, 2.5e-5) if solid else (1.0, 0.15)
     steps = dict(initial_step=2e-7, largest_step=2e-7) if solid else {}
@@ -93,16 +96,15 @@ def test_a_strip_is_the_one_dimensional_solver(geometry, solid):
     one = strip_1d(n, material, stop, Boundary("velocity", pulse), Boundary("fixed"), steps, **state)
     shape = dict(width=0.375, height=1.0, material=material.name, **state)
     driven = Boundary2D(("b.bottom",), "velocity", pulse, direction=(0.0, 1.0))
-    coefficients = Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.3, 2.0 / 3.0, heat_flux=0.0)
     given = problem(box(3, n, **shape), material, stop, (driven, *walls("b.top", "b.right"), *(walls("b.left") if geometry == "plane" else ())),
-                    geometry, viscosity=coefficients, **steps)
+                    geometry, viscosity=Viscosity2D(heat_flux=0.0), **steps)
     solver = ran(given)
     assert solver.cycle == one.cycle
     state = one.state()
     for name, row in (("density", Z.rho), ("energy", Z.e), ("pressure", Z.p)):
         field = solver.zones[row].reshape(3, n)
         assert np.allclose(field, state.zones[name], rtol=0, atol=1e-10 * np.abs(state.zones[name]).max())
-    if solid:
+    if kind == "solid":
         assert np.allclose(solver.zones[Z.syy].reshape(3, n), state.zones["deviator_radial"], rtol=0, atol=2e-10 * 0.2e9)
 
 

@@ -44,6 +44,7 @@ __all__ = ["Model", "read", "write"]
 
 GAUGE_SAMPLES = 2000                 # of each gauge, and snapshots, in a run whose deck does not say otherwise
 OF_TRIANGLES = ("diagonal", "average_pressure")
+OF_STRONG_SHOCKS = ("linear_condensed", "solid_linear_condensed")
 NO_FILTERS, NO_FLUX = {"subzonal_pressure": 0.0, "flanagan_belytschko": 0.0}, {"heat_flux": 0.0}
 LARGE, FEW_SNAPSHOTS = 10_000, 20    # zones beyond which there are so few snapshots; else a hundred
 
@@ -175,9 +176,13 @@ def _solver(table: Any, axes, blocks, mesh: Blocks | None, collector: Collector)
         collector.add(("solver", "scheme"), "applies to axisymmetric geometry only", 'write geometry = "axisymmetric", or leave it out')
     if row.viscosity.kind == "herrmann" and row.viscosity.limited:
         collector.add(("solver", "viscosity"), "Herrmann's viscosity has no limiter", "write limited = false with this kind")
-    if row.viscosity.kind == "herrmann" and row.viscosity.solid_linear != Viscosity2D.solid_linear:
-        collector.add(("solver", "viscosity", "solid_linear"), "does not apply to Herrmann's viscosity, which has one coefficient for "
-                      "shocks and plastic flow", "use solid_shear")
+    if row.viscosity.kind == "herrmann":
+        if row.viscosity.solid_linear != Viscosity2D().solid_linear:
+            collector.add(("solver", "viscosity", "solid_linear"), "does not apply to Herrmann's viscosity, which has one coefficient for "
+                          "shocks and plastic flow", "use solid_shear")
+        for key in (key for key in OF_STRONG_SHOCKS if key in row.viscosity.model_fields_set):
+            collector.add(("solver", "viscosity", key), "does not apply to Herrmann's viscosity, which has one linear coefficient for weak "
+                          "and strong shocks", "use solid_shear" if key.startswith("solid") else "use linear")
     _check_cells(row, table, collector)
     polar = bool(blocks) and all(isinstance(block.shape, Sector) for block in blocks)
     about_axis = polar and all(block.shape.centre[0] == 0.0 for block in blocks)
@@ -190,7 +195,8 @@ def _solver(table: Any, axes, blocks, mesh: Blocks | None, collector: Collector)
         collector.add(("solver", "erosion"), "has no condition for removing a zone",
                       'for example plastic_strain = 1.5, or smallest_step = "0.1 ns"')
     erosion = None if row.erosion is None else Erosion2D(**row.erosion.model_dump())
-    viscosity = row.viscosity.model_dump() | ({} if row.cells == "quads" else NO_FLUX)
+    # what is not given follows what is, as `Viscosity2D` has it
+    viscosity = row.viscosity.model_dump(exclude_unset=True) | ({} if row.cells == "quads" else NO_FLUX)
     return Solver2D(**own | {"viscosity": Viscosity2D(**viscosity), "erosion": erosion})
 
 
@@ -265,6 +271,6 @@ def _solver_table(problem: Problem2D) -> dict:
         del row[key]
     if problem.geometry == "plane":
         del row["scheme"]
-    left_out = () if solver.cells == "quads" else NO_FLUX
+    left_out = {*(() if solver.cells == "quads" else NO_FLUX), *(OF_STRONG_SHOCKS if solver.viscosity.kind == "herrmann" else ())}
     row["viscosity"] = {f.name: getattr(solver.viscosity, f.name) for f in fields(solver.viscosity) if f.name not in left_out}
     return row

@@ -26,6 +26,7 @@ from hugoniot.materials.material import Material
 from hugoniot.mesh.blocks import Blocks, BlockShape, build
 from hugoniot.mesh.shapes import Point, Shape
 from hugoniot.mesh.triangles import DIAGONALS, divided
+from hugoniot.problem.defaults import whole_viscosity
 from hugoniot.problem.model import OutputOptions, Pulse
 from hugoniot.problem.plane.contact_model import Contact2D, Rigid2D, apart
 
@@ -145,18 +146,31 @@ class Viscosity2D:
                        explosives that burn by a schedule alone have no linear part
     solid_shear        linear coefficient of a material with strength where it flows at constant volume; "herrmann" takes it everywhere
     heat_flux          coefficient of the artificial heat flux between quadrilaterals of materials without strength that do not burn
+    linear_condensed   in place of `linear` in condensed materials, in porous ones in strong shocks only; solid_linear_condensed in place of
+                       `solid_linear` in strong shocks; "herrmann" has neither
+
+    None stands for the value of `problem.defaults.whole_viscosity`: a linear coefficient that is given alone holds in every shock.
     """
 
     kind: str = "tensor"
     limited: bool = True
-    linear: float = 0.3
+    linear: float | None = None
     quadratic: float = 2.0 / 3.0
-    solid_linear: float = 0.3
+    solid_linear: float | None = None
     solid_quadratic: float = 2.0 / 3.0
     explosive_linear: float = 0.3
     explosive_quadratic: float = 1.0
     solid_shear: float = 0.06
     heat_flux: float = 1.0
+    linear_condensed: float | None = None
+    solid_linear_condensed: float | None = None
+
+    def __post_init__(self):
+        for kind in ("", "solid_"):
+            given = {name: value for name in ("linear", "linear_condensed") if (value := getattr(self, kind + name)) is not None}
+            whole = whole_viscosity("limited", given)[1]
+            object.__setattr__(self, kind + "linear", whole["linear"])
+            object.__setattr__(self, kind + "linear_condensed", whole["linear_condensed"])
 
 
 @dataclass(frozen=True)

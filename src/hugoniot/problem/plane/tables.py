@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from hugoniot.problem.boundaries import pulse_schema
+from hugoniot.problem.defaults import whole_viscosity
 from hugoniot.problem.lagrangian import OutputTable, Positive, Snapshots
 from hugoniot.problem.model import SolverOptions
 from hugoniot.problem.plane.contact_model import Contact2D
@@ -12,6 +13,7 @@ from hugoniot.problem.plane.model import Solver2D, Viscosity2D
 from hugoniot.problem.schema import Pressure, Quantity, Table, Time, trouble
 from hugoniot.units import UnitError, parse
 
+LIMITED = whole_viscosity("limited", {})[1]
 LARGEST_COORDINATE = 1e15
 LIGHT = 299792458.0   # m/s
 MOST_POINTS = 100_000
@@ -265,10 +267,17 @@ class ViscosityTable(Table):
         "edge: acts along the edges that shorten; herrmann: acts on bulk and deviators along the coordinate axes, for comparison")
     limited: bool = Field(Viscosity2D.limited, description="whether a limiter removes the viscosity in smooth flow; kind herrmann has "
         "none and needs limited = false")
-    linear: Plain = Field(Viscosity2D.linear, description="linear coefficient of materials without strength that do not burn")
+    linear: Plain = Field(LIMITED["linear"], description="linear coefficient of materials without strength that do not burn, but of "
+        "condensed ones only where they flow at constant volume; of porous ones in weak shocks")
+    linear_condensed: Plain | None = Field(
+        None, description="linear coefficient of condensed materials without strength that do not burn where they are compressed; of "
+        f"porous ones in strong shocks (default: {LIMITED['linear_condensed']:g}, or linear if that is given); not with kind herrmann")
     quadratic: Plain = Field(Viscosity2D.quadratic, description="quadratic coefficient of materials without strength that do not burn")
-    solid_linear: Plain = Field(Viscosity2D.solid_linear, description="linear coefficient of materials with strength where they are "
-        "compressed; not with kind herrmann")
+    solid_linear: Plain = Field(LIMITED["linear"], description="linear coefficient of materials with strength where they are "
+        "compressed, in weak shocks; not with kind herrmann")
+    solid_linear_condensed: Plain | None = Field(
+        None, description="linear coefficient of materials with strength where they are compressed, in strong shocks "
+        f"(default: {LIMITED['linear_condensed']:g}, or solid_linear if that is given); not with kind herrmann")
     solid_shear: Plain = Field(Viscosity2D.solid_shear, description="linear coefficient of materials with strength where they flow at "
         "constant volume (with kind herrmann, in all motion)")
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")

@@ -7,12 +7,13 @@ from hugoniot.laws.eos.contract import density_limits, pressure
 from hugoniot.laws.fracture.contract import FRACTURE, asked_at_nodes
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.laws.viscosity.limited import Limited
 from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.problem.plane.contact import trouble_on_the_axis
 from hugoniot.problem.plane.model import CELLS, VISCOSITIES, Problem2D
 from hugoniot.solvers.lagrange1d import reactive
-from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction
+from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction, viscosity_in
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import quads as G
 from hugoniot.solvers.lagrange2d.coefficients import Viscous
@@ -172,7 +173,9 @@ def viscosity_law(problem: Problem2D, material, eos):
     shear = given.solid_shear if kind == "solid_" else linear
     if given.kind == "herrmann":      # B1 enters squared; a strong shock is resisted as by the others
         return VISCOSITY.get("herrmann").build(quadratic=float(np.sqrt(2.0 * quadratic)), linear=shear)
-    return Viscous(quadratic, linear, shear)
+    # burn laws were calibrated with one thickness of shock
+    condensed = linear if material.burn is not None else getattr(given, kind + "linear_condensed")
+    return Viscous(*viscosity_in(material, Limited(quadratic, linear, condensed)), shear)
 
 
 def start_block(problem: Problem2D, block):

@@ -1,9 +1,11 @@
 r"""Coefficients of the artificial viscosity of a zone: those of a shock where it is compressed, a smaller linear one where it flows.
 
-A shock in a solid needs the same linear part as one in a gas, or it rings, but the sustained plastic flow behind it would be resisted as
-well. A shock compresses, plastic flow does not. With $\lambda_1$ the rate of the fastest closing the linear coefficient is therefore
+A shock in a solid needs as large a linear part as one in one dimension, or it rings, but the sustained plastic flow behind it would be
+resisted as well. A shock compresses, plastic flow does not. With $\lambda_1$ the rate of the fastest closing the linear coefficient is
 
-$$c_1 = c_s + (c_l - c_s) \min\left(1, \max\left(0, \frac{\dot V/V}{\lambda_1}\right)\right)^2 .$$
+$$c = c_s + (c_l - c_s) \min\left(1, \max\left(0, \frac{\dot V/V}{\lambda_1}\right)\right)^2 ,$$
+
+with the coefficient $c_l$ of a weak or of a strong shock (`laws.viscosity.limited`) in the material.
 """
 
 from typing import NamedTuple
@@ -16,10 +18,12 @@ SMALL = 1e-60
 
 
 class Viscous(NamedTuple):
-    """Coefficients of the viscosity of a material: quadratic, linear where it shrinks, linear where it flows at constant volume."""
+    """Coefficients of the viscosity of a material: those of the law `limited`, linear ones where it shrinks; linear one where it flows at
+    constant volume."""
 
     quadratic: float
     linear: float
+    linear_condensed: float
     shear: float
 
 
@@ -32,8 +36,9 @@ def in_zone(viscous, rates, j):
     dev = 0.5 * (xx - yy)
     closing = 0.5 * (xx + yy) - vsqrt(dev * dev + xy * xy)
     part = fmax(0.0, fmin(1.0, rates.dilation[j] / fmin(closing, -SMALL)))
-    linear = viscous.shear + part * part * (viscous.linear - viscous.shear)
-    return Limited(viscous.quadratic, linear, linear)
+    part *= part
+    return Limited(viscous.quadratic, viscous.shear + part * (viscous.linear - viscous.shear),
+                   viscous.shear + part * (viscous.linear_condensed - viscous.shear))
 
 
 bind(in_zone)
