@@ -46,6 +46,8 @@ from = "1 mm"
 to = "3 mm"
 zones = 40
 velocity = "-700 m/s"
+[solver]
+courant = 0.5
 """ + ALUMINIUM
 
 

@@ -11,7 +11,7 @@ from hugoniot.errors import DeckError
 # goals that are missed; docs/verification.md says why
 MISSED = {("noh_square", "shock_position", 50), ("noh_ring", "density_l1", 75), ("noh_ring", "density_l1", 150),
           ("sedov_sphere", "shock_position", 45),
-          ("gresho", "peak_speed", 40), ("taylor_copper", "plastic_strain", 20), ("cylinder_comp_b", "speed_6mm", 12)}
+          ("gresho", "peak_speed", 40), ("taylor_steel", "length", 5), ("cylinder_comp_b", "speed_6mm", 12)}
 QUICK = {"noh_square": (50,), "sedov_square": (45,), "saltzman_skewed": (100,), "coggeshall_rz": (20, 40), "gresho": (20, 40, 80),
          "howell_ring": (20,), "verney_sphere": (20,), "kenamond_1": (20,), "kenamond_2": (20,), "kenamond_3": (20,),
          "spinning_square": (100,), "disc_impact": (16,), "oblique_impact": (20,), "noh_triangles": (50,), "sedov_triangles": (45,)}
