@@ -214,7 +214,7 @@ def test_a_truncated_curve_with_grains_is_swept_up_to_their_density(speed):
     truncated = sandwich(100.0, speed, 3, crossings=0.8)
     law = grain_contact.build(truncated.materials["silica"].eos, 2200.0, 23.4e9, 4.34)
     solver = make_solver(replace(truncated, materials={"pmma": PMMA, "silica": Material("silica", law)},
-                                 solver=replace(truncated.solver, courant=0.2)))
+                                 solver=replace(truncated.solver, courant=0.1)))
     found = march_to(solver, truncated.stop_time)
     assert np.median(found.zones["density"][BEGIN + 20:BEGIN + 100]) == pytest.approx(2200.0, rel=1e-2)
 
