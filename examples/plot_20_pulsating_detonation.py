@@ -43,7 +43,7 @@ for level, label in ((spike, "steady von\nNeumann spike"), (98.6, "published\npe
 ax.set(xlabel="time (half-reaction length / √(p₀/ρ₀))", ylabel="pressure behind the front / p₀", xlim=(0, 62), ylim=(45, 108))
 
 # %%
-# Period and height of the peaks, and the mean speed of the front.
+# Period and height of the peaks, and the mean speed of the front in units of sqrt(p/rho) of the gas ahead.
 print(f"period {np.diff(times).mean():.2f}   literature 7.3 to 7.5")
 print(f"peaks  {crests.mean():.1f}   literature 98.6")
 print(f"front  {(found.position[-1] - found.position[0]) / found.time[-1]:.3f}   steady {found.exact.velocity:.3f}")

@@ -369,7 +369,7 @@ def test_what_a_fixed_grid_cannot_do():
             ShockStructure(dataclasses.replace(given, **changes))
     refused("planar", geometry="spherical")
     refused("not possible on a fixed grid", left=Boundary("free"))
-    refused("cells of one width", regions=(dataclasses.replace(given.regions[0], ratio=1.01),))
+    refused("cells of equal width", regions=(dataclasses.replace(given.regions[0], ratio=1.01),))
     refused("at least 8 cells", regions=(dataclasses.replace(given.regions[0], zones=4),))
     refused("needs a transport law", solver=SolverOptions("shock_structure"))
     b = dataclasses.replace(given.regions[0], name="b", start=given.regions[0].end * 1.5, end=given.regions[0].end * 2.0)

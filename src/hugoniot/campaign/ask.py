@@ -186,7 +186,7 @@ def engine_of(name: str = "local", scheduler: str | None = None, workers: int | 
     if name != "dask":
         raise refuse("--engine", name, "unknown engine", "known: local, dask")
     if scheduler is not None and workers is not None:
-        raise refuse("--workers", str(workers), "a scheduler has its own workers", "leave out one of them")
+        raise refuse("--workers", str(workers), "the scheduler has its own workers", "leave out --workers or --scheduler")
     local(workers, time_limit)      # checks the numbers
 
     def entered(question, known):

@@ -51,8 +51,9 @@ def gurney_velocities(names: Sequence[str] = ()) -> list[GurneyVelocity]:
         elif "reacted" in EOS.of(entry.material.eos).flags:
             found.append(_derived(name, entry))
         else:
-            raise DeckError.single("library", None, name, "has no detonation products in the library", "tabulated: "
-                                   + ", ".join(row.material for row in rows) + '; or give --velocity "2.7 km/s"')
+            raise DeckError.single("library", None, name, "has neither a Gurney velocity nor detonation products in the library",
+                                   "give its Gurney velocity, such as --velocity \"2.7 km/s\"; tabulated Gurney velocities: "
+                                   + ", ".join(row.material for row in rows))
     return found
 
 

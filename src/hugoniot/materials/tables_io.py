@@ -97,7 +97,7 @@ def _csv(text: str, name: str, window: Window) -> tuple[Table, tuple[str, ...]]:
     wrong = [c for c in COLUMNS if header.count(c) != 1]
     if wrong:
         raise DeckError.single(name, lines[0][0], "header", f"needs exactly one column '{wrong[0]}', found {', '.join(header)}",
-                               f"the first line is {','.join(COLUMNS)} (kg/m3, K, Pa, J/kg)")
+                               f"the first line must be {','.join(COLUMNS)}, in kg/m3, K, Pa and J/kg")
     place = [header.index(c) for c in COLUMNS]
     points: dict[tuple[float, float], tuple[float, float]] = {}
     origin: dict[tuple[float, float], int] = {}

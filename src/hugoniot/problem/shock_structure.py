@@ -148,9 +148,9 @@ def _check_grid(regions, used, collector: Collector) -> None:
         width, first = (region.end - region.start) / region.zones, (regions[0].end - regions[0].start) / regions[0].zones
         if region.ratio != 1.0:
             collector.add(("region", k, "ratio"), f"each cell is {region.ratio:g} times as wide as the one before",
-                          "this solver needs cells of one width: leave ratio out")
+                          "this solver needs cells of equal width: leave ratio out")
         elif abs(width / first - 1.0) > 1e-9:
-            collector.add(("region", k, "zones"), f"cells of {width:.6g} m and of {first:.6g} m", "this solver needs cells of one width")
+            collector.add(("region", k, "zones"), f"cells of {width:.6g} m and of {first:.6g} m", "this solver needs cells of equal width")
 
 
 def _read_transport(raw: Any, used: dict[str, Material], collector: Collector) -> dict | None:

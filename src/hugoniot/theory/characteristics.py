@@ -10,7 +10,7 @@ $$\frac{de}{dt} + p\,\frac{dv}{dt} = 0, \qquad \frac{d\lambda}{dt} = \dot\lambda
 
 The bracket times $\rho$ is the derivative of the pressure with respect to the burn fraction at constant volume and energy, in every
 closure in which both phases have the pressure of the mixture; where the pressure is a weighted mean of those of the phases, that
-derivative takes the place of the bracket. The term in $d$ is not in the source, and the source prints $+\rho c\,du/dt$ on both
+derivative takes the place of the bracket times $\rho$. The term in $d$ is not in the source, and the source prints $+\rho c\,du/dt$ on both
 characteristics (S-E4).
 
 Source: Starkenberg, ARL-TR-2161, section 6.

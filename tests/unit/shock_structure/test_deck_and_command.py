@@ -52,7 +52,7 @@ def test_every_fault_of_a_deck_is_told_at_once():
     ('at = "0 um"', 'at = "5 um"', "lies outside the domain"),
     ("mach = 9.0", 'mach = 9.0\nparticle_velocity = "1 km/s"', "one measure of strength, not mach and particle_velocity"),
     ('law = "power_law", shear', 'law = "powerlaw", shear', "did you mean 'power_law'"),
-    ("zones = 150", "zones = 150\nratio = 1.02", "this solver needs cells of one width"),
+    ("zones = 150", "zones = 150\nratio = 1.02", "this solver needs cells of equal width"),
     ("zones = 150", 'zones = 150\nprofile = {velocity = "1 m/s"}', "profile: unknown key"),
     ('specific_heat = "312.15 J/kg/K"', "specific_heat = nan", "temperature|specific_heat"),
     ('start = "step"', 'start = "jump"', "expected 'step' or 'steady'"),

@@ -19,7 +19,7 @@ from hugoniot.laws.eos.herrmann_series import HerrmannSeries
 
 
 class HugoniotSeries(NamedTuple):
-    """Coefficients k0 (Pa), k1, k2, k3 of the Hugoniot (C.4). The fits below leave k3 at 0."""
+    """k0 (Pa), k1, k2, k3: the coefficients k0', k1', k2', k3' of the Hugoniot (C.4). The fits below leave k3 at 0."""
 
     k0: float
     k1: float
@@ -95,7 +95,7 @@ def series(rho0, hugoniot: HugoniotSeries, gamma0, gammas=(0.0, 0.0, 0.0), speci
 
 
 def wilkins_cubic(rho0, c0, s, gamma0, specific_heat=math.nan, reference_temperature=298.15):
-    """Parameters for p = rho0 c0^2 [x + (2s - g/2) x^2 + s(3s - g) x^3] + g rho0 e, the cubic of Us = c0 + s up with constant rho Gamma.
+    """Parameters for p = rho0 c0^2 [x + (2s - g/2) x^2 + s(3s - g) x^3] + g rho0 e: Us = c0 + s up with constant rho Gamma, to third order.
 
     rho0                    reference density, kg/m3; x = 1 - rho0/rho
     c0, s                   constants of the linear Us-up relation, c0 in m/s

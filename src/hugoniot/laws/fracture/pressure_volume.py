@@ -5,8 +5,8 @@ $$P < P_S \;\text{ and }\; V > V_S, \qquad P_S < 0$$
 * $P$: pressure of the zone; $P_S$: limit of $P$, a tension and therefore negative, `pressure_limit`
 * $V = \rho_0/\rho$: volume relative to that at the reference density $\rho_0$; $V_S$: limit of $V$, `volume_limit`
 
-Where both conditions hold, a void opens at a face of the zone. The condition on the volume keeps hot, dense material from breaking in a
-passing rarefaction. The law does not limit the tension: it may exceed $|P_S|$ before the volume reaches $V_S$.
+Where both conditions hold, a void opens at a face of the zone. The condition on the volume keeps material that has
+expanded little from breaking under a tension. The law does not limit the tension: it may exceed $|P_S|$ before the volume reaches $V_S$.
 """
 
 from typing import NamedTuple

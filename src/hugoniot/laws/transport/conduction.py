@@ -1,9 +1,9 @@
-r"""Heat conductivity of a material: zero, from a Prandtl number, constant, or a power of the temperature.
+r"""Thermal conductivity of a material: zero, from a Prandtl number, constant, or a power of the temperature.
 
 $$k = 0 \;(\text{none}), \qquad k = \mu c_p/\mathrm{Pr} \;(\text{prandtl}), \qquad k = k_0 \;(\text{constant}), \qquad
   k = k_0\,(T/T_0)^{\omega} \;(\text{power law})$$
 
-* $k$: heat conductivity; the heat flux is $-k\,\partial T/\partial x$
+* $k$: thermal conductivity; the heat flux is $-k\,\partial T/\partial x$
 * $\mu$: shear viscosity; $c_p$: specific heat at constant pressure; $\mathrm{Pr}$: Prandtl number, `prandtl`
 * $k_0$: `conductivity`; $T_0$: `reference_temperature`; $\omega$: `exponent`
 
@@ -59,23 +59,23 @@ CONDUCTION.add(
     references=("Jordan 2011, section 7.1: conduction in water is negligible beside the shear stress",),
 )
 CONDUCTION.add(
-    "prandtl", PrandtlConduction, line="Heat conductivity from the Prandtl number.",
+    "prandtl", PrandtlConduction, line="Thermal conductivity from the Prandtl number.",
     functions={"conductivity": prandtl_conductivity}, example=PrandtlConduction(2.0 / 3.0),
     units={"prandtl": "1"}, meaning={"prandtl": "Prandtl number mu c_p / k"}, box=_BOX,
     references=("Jordan 2011, section 6.3 and tables 7.1.1, 7.2.1",),
 )
 CONDUCTION.add(
-    "constant", ConstantConduction, line="Constant heat conductivity.",
+    "constant", ConstantConduction, line="Constant thermal conductivity.",
     functions={"conductivity": constant_conductivity}, example=ConstantConduction(0.0177),
-    units={"conductivity": "W/m/K"}, meaning={"conductivity": "heat conductivity"}, box=_BOX,
+    units={"conductivity": "W/m/K"}, meaning={"conductivity": "thermal conductivity"}, box=_BOX,
     references=("Fourier's law; Bird, Stewart and Lightfoot, Transport Phenomena (1960), eq. 8.1-6",),
 )
 CONDUCTION.add(
-    "power_law", PowerLawConduction, line="Heat conductivity as a power of the temperature.",
+    "power_law", PowerLawConduction, line="Thermal conductivity as a power of the temperature.",
     functions={"conductivity": power_law_conductivity},
     example=PowerLawConduction(0.0177, 0.81, 300.0),
     units={"conductivity": "W/m/K", "exponent": "1", "reference_temperature": "K"},
-    meaning={"conductivity": "heat conductivity at the reference temperature", "exponent": "power of the temperature",
+    meaning={"conductivity": "thermal conductivity at the reference temperature", "exponent": "power of the temperature",
              "reference_temperature": "temperature of the given conductivity"},
     defaults={"exponent": 0.81, "reference_temperature": 300.0}, box=_BOX,
     references=("Jordan 2011, section 6.2, power law model", "Bird, Molecular Gas Dynamics (1994), section 4.3"),

@@ -1,7 +1,7 @@
 r"""What transport laws must provide, and how a fluid's viscosity and heat conduction are combined.
 
     viscosity(rho, T, par)                shear viscosity mu, Pa s                        (family `transport`)
-    conductivity(rho, T, mu, cp, par)     heat conductivity k, W/(m K)                    (family `conduction`)
+    conductivity(rho, T, mu, cp, par)     thermal conductivity k, W/(m K)                    (family `conduction`)
 
 rho kg/m3, T K, cp the isobaric specific heat J/(kg K). A fluid carries one of each in a `Transport` tuple, with a bulk viscosity
 
@@ -35,7 +35,7 @@ def viscosity(rho, T, par):
 
 
 def conductivity(rho, T, mu, cp, par):
-    """Heat conductivity, W/(m K)."""
+    """Thermal conductivity, W/(m K)."""
     return CONDUCTION.of(par).functions["conductivity"](rho, T, mu, cp, par)
 
 

@@ -37,7 +37,7 @@ def transport_of(problem: Problem):
 
 
 def grid_of(problem: Problem):
-    """(faces (n+1,) m, region of each cell); cells of one width."""
+    """(faces (n+1,) m, region of each cell); cells of equal width."""
     regions = problem.regions
     widths = [(region.end - region.start) / region.zones for region in regions]
     for a, b in zip(regions, regions[1:]):
@@ -45,7 +45,7 @@ def grid_of(problem: Problem):
             raise OutOfRange(f"the solver {NAME} needs regions that touch; there is a gap between '{a.name}' and '{b.name}'")
     for region, width in zip(regions, widths):
         if region.ratio != 1.0 or abs(width / widths[0] - 1.0) > 1e-9:
-            raise OutOfRange(f"the solver {NAME} needs cells of one width; region '{region.name}' has {width:.6g} m, the first "
+            raise OutOfRange(f"the solver {NAME} needs cells of equal width; region '{region.name}' has {width:.6g} m, the first "
                              f"{widths[0]:.6g} m (ratio {region.ratio:g}): set its zones accordingly")
     count = sum(region.zones for region in regions)
     if count < FEWEST_CELLS:

@@ -35,7 +35,7 @@ class FlowState(State):
 class ShockStructure(NothingToAdd):
     """A run in progress: a `protocol.LineSolver`.
 
-    problem   planar, regions of one material that touch and have cells of one width; `solver.options["transport"]` a `Transport`
+    problem   planar, regions of one material that touch and have cells of equal width; `solver.options["transport"]` a `Transport`
     start     (cells (3, n) of density, momentum, total energy; ends (2, 3) of the far fields), or None: from the regions' states
     """
 
