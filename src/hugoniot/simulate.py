@@ -236,7 +236,7 @@ def final_warnings(problem: Problem, solver: Solver, warned: Sequence[str]) -> l
 
 
 def _extrapolations(problem: Problem, solver: Solver, warned: Sequence[str]) -> list[str]:
-    """A warning for each material driven beyond the particle velocities its equation of state was fitted to, unless it was foretold."""
+    """A warning for each material driven beyond the particle velocities its equation of state was fitted to, unless warned of before."""
     found = []
     for name, speed in solver.largest_velocity_jump().items():
         end = range_of(problem.materials[name])

@@ -5,12 +5,12 @@ scales of the records (`targets`) are parameters too, for which no run is needed
 
 $$\chi^2 = \sum_i \rho\!\left(r_i^2\right) + \sum_k c_k^2$$
 
-has the residuals of all targets, with the loss $\rho$, and the priors, which no loss softens. A run answers in small jumps (a void opens
-in one zone or in the next), over which derivatives say nothing. So the search is the method of Gauss and Newton without derivatives: a
-plane is fitted to the residuals of a sample of runs as wide as the data can tell apart, twice the standard deviations in the end.
-Searches begin at the best points of a sample of the ranges, so that a wrong minimum is noticed; where none of them matches the data,
-differential evolution looks further. With J the slopes of the plane, the covariance is $(J^T J)^{-1}$, times the reduced $\chi^2$ where
-that is above one, and to it comes what the strays of the sample from the plane do to the parameters.
+contains the residuals of all targets, with the loss $\rho$, and the priors, to which no loss applies. Results change in small jumps (a
+void opens in one zone or in the next), so that derivatives are useless. The search is therefore Gauss and Newton's method without
+derivatives: a plane is fitted to the residuals of a sample of runs. The sample spans what the data can distinguish, in the end two
+standard deviations. Searches begin at the best points of a sample of the ranges, so that a wrong minimum is noticed; if none of them
+matches the data, differential evolution searches further. With J the slopes of the plane, the covariance is $(J^T J)^{-1}$, times the
+reduced $\chi^2$ if that exceeds one, plus the scatter of the parameters due to the deviations of the sample from the plane.
 
 Sources: C. Cartis, J. Fiala, B. Marteau, L. Roberts, ACM Trans. Math. Softw. 45 (2019) 32, for planes by regression; R. Storn, K. Price,
 J. Global Optim. 11 (1997) 341 (`scipy.optimize.differential_evolution`).

@@ -18,7 +18,7 @@ from hugoniot.units import format_si
 
 TOLERATED = 5e-4   # of a programmed front's speed against the Chapman-Jouguet one: 3 % of pressure (p/p_CJ - 1 is about -sqrt(2 dD/D))
 SAME_DENSITY = 1e-3   # between that of a burn law and that of the region it burns; sets and measured densities differ by less
-CRUSHED = 2.5      # times the starting density: more than products bear that a front burned (CJ 1.4, reflected at a wall 1.8)
+CRUSHED = 2.5      # times the starting density: products behind a front do not reach it (CJ 1.4, reflected at a wall 1.8)
 OVERDRIVEN = 1.03     # times the CJ pressure of an explosive to which another drives it: equal ones differ by their rounding
 CONVERGING = 1.2      # radii over which a front runs inward
 SAME_HEAT = 0.2       # between a chemical energy that is given and the one the laws hold
