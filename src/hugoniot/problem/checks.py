@@ -18,7 +18,7 @@ from hugoniot.materials.material import Material
 from hugoniot.materials.read import from_library
 from hugoniot.mesh.line import graded_nodes
 from hugoniot.problem import windows
-from hugoniot.problem.gauges import is_interface
+from hugoniot.problem.gauges import is_interface, place_name
 from hugoniot.problem.model import Gauge, Interface, Profile, Region
 from hugoniot.problem.profiles import MOST, read_profile, size_of, values_at
 from hugoniot.units import format_si
@@ -250,21 +250,21 @@ def read_gauges(rows: Sequence, regions: tuple[Region, ...], materials: dict[str
     for i, row in enumerate(rows):
         if row is None:
             continue
-        path = ("gauge", i)
+        path, at = ("gauge", i), place_name(row.at, regions)
         if row.name in found:
             collector.add((*path, "name"), f"another gauge has the name '{printable(row.name)}'", "names must differ")
         elif row.name != row.name.strip() or not row.name.isprintable():
             collector.add((*path, "name"), f"'{printable(row.name)}' is not a valid name", "use printable characters, no spaces at the "
                                                                                            "ends")
-        elif is_interface(row.at) and len(row.name) > LONGEST_NAME - len(" right"):
+        elif is_interface(at) and len(row.name) > LONGEST_NAME - len(" right"):
             collector.add((*path, "name"), f"too long a name for a gauge at an interface: '{printable(row.name)}'",
                           f"use up to {LONGEST_NAME - len(' right')} characters: the gauges on its two sides add ' left' and ' right'")
         if regions:
-            wrong = None if row.at in known else _wrong_place(row.at, regions, known)
+            wrong = None if at in known else _wrong_place(at, regions, known)
             if wrong:
                 collector.add((*path, "at"), *wrong)
         factor = windows.factor_of(row, regions, materials, collector, path)
-        found.setdefault(row.name, Gauge(row.name, row.at, row.window or "", factor))
+        found.setdefault(row.name, Gauge(row.name, at, row.window or "", factor))
     return tuple(found.values())
 
 

@@ -4,13 +4,31 @@ A gauge `G` at "A/B" records position, velocity and stress; "G left" and "G righ
 """
 
 import dataclasses
+from collections.abc import Sequence
 
-from hugoniot.problem.model import Gauge, Problem
+from hugoniot.problem.model import Gauge, Problem, Region
+
+NEAR = 1e-12      # of the length of the line: nearer to a face, a gauge is on it
 
 
 def is_interface(at) -> bool:
     """Whether a gauge's place names the interface of two regions."""
     return isinstance(at, str) and "/" in at
+
+
+def place_name(at: float | str, regions: Sequence[Region]) -> float | str:
+    """The name of a place given as a coordinate, m: "A/B" where two regions touch, "A:right" or "B:left" at another end of a region.
+
+    Anything else is returned as it is. Inside one of two regions that touch, what jumps between them would be taken for both.
+    """
+    if isinstance(at, str) or not regions:
+        return at
+    near = NEAR * (regions[-1].end - regions[0].start)
+    ending = [r.name for r in regions if abs(r.end - at) <= near]
+    starting = [r.name for r in regions if abs(r.start - at) <= near]
+    if ending and starting:
+        return f"{ending[0]}/{starting[0]}"
+    return f"{ending[0]}:right" if ending else f"{starting[0]}:left" if starting else at
 
 
 def with_automatic_gauges(problem: Problem) -> Problem:

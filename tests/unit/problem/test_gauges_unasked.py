@@ -52,6 +52,15 @@ def problem(**changes):
     return dataclasses.replace(made, **changes)
 
 
+@pytest.mark.parametrize("at, place", (("1 m", "a/2nd"), ("0.99999999999999 m", "a/2nd"), ("0 m", "a:left"), ("2 m", "2nd:right"),
+                                       ("0.999999 m", 0.999999)))
+def test_a_gauge_given_by_the_coordinate_of_a_face_is_on_that_face(at, place):
+    """At an interface it would otherwise give the density and temperature of the right-hand body as those of both."""
+    found = read_deck_text(DECK.replace('at = "a/2nd"', f'at = "{at}"')).problem.gauges
+    assert found[0] == Gauge("contact", place)
+    assert ("contact left" in {gauge.name for gauge in found}) == (place == "a/2nd")
+
+
 def test_free_ends_and_both_sides_of_interfaces_are_gauged():
     free = Boundary("free")
     assert completed(problem()).gauges == (ASKED, *SIDES, Gauge("free surface left", "free surface left"))
