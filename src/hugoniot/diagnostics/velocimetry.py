@@ -27,6 +27,7 @@ from typing import NamedTuple
 import numpy as np
 
 QUARTILES = (0.25, 0.5, 0.75)
+BANDS = (0.05, 0.02)     # of the height of a record, to both sides of it, in which a flat top is sought
 
 
 class PullBack(NamedTuple):
@@ -162,8 +163,9 @@ def flat_stretch(weight, values) -> tuple[slice, float]:
 
     weight (n,) s of `durations`, values (n,), n >= 1. The height of the record is what it exceeds for a twentieth of the time that it
     spends above half of its highest value. Of the stretches that last at least as long within 5 % of that height, it is the first that is
-    flat: its quartiles over time differ by no more than 0.5 % of the height. Fewer points than four have no quartiles: a single one, on
-    the slope of a peak, would always be flat.
+    flat: its quartiles over time differ by no more than 0.5 % of the height. If none is, the same within 2 %, which leaves out more of
+    the slopes on both sides (of a rounded peak, a parabola, the quartiles then differ by 1 %). Fewer points than four have no quartiles:
+    a single one, on the slope of a peak, would always be flat.
     """
     values = np.asarray(values, dtype=float)
     highest = float(np.max(values))
@@ -171,16 +173,17 @@ def flat_stretch(weight, values) -> tuple[slice, float]:
         return slice(0, 0), float("nan")
     above = values >= 0.5 * highest
     height = float(_over_time(values[above], weight[above], [0.95])[0])
-    near = np.concatenate([[False], np.abs(values - height) <= 0.05 * height, [False]])
-    edges = np.flatnonzero(near[1:] != near[:-1])
-    # none, where the height lies between the points of a coarse record
-    stretches = [slice(int(i), int(k)) for i, k in zip(edges[::2], edges[1::2])]
     least = 0.05 * np.sum(weight[above])
-    for part in stretches:
-        if part.stop - part.start > len(QUARTILES) and np.sum(weight[part]) >= least:
-            quartiles = _over_time(values[part], weight[part], QUARTILES)
-            if np.isfinite(_level(quartiles, height)):
-                return part, _level(quartiles)
+    for band in BANDS:
+        near = np.concatenate([[False], np.abs(values - height) <= band * height, [False]])
+        edges = np.flatnonzero(near[1:] != near[:-1])
+        # none, where the height lies between the points of a coarse record
+        stretches = [slice(int(i), int(k)) for i, k in zip(edges[::2], edges[1::2])]
+        for part in stretches:
+            if part.stop - part.start > len(QUARTILES) and np.sum(weight[part]) >= least:
+                quartiles = _over_time(values[part], weight[part], QUARTILES)
+                if np.isfinite(_level(quartiles, height)):
+                    return part, _level(quartiles)
     return slice(0, 0), float("nan")
 
 

@@ -16,6 +16,8 @@ from hugoniot.diagnostics.arrival import arrival_times, arrivals, first_crossing
 from hugoniot.diagnostics.norms import difference, time_shift
 from hugoniot.diagnostics.velocimetry import (
     PullBack,
+    durations,
+    flat_stretch,
     fringes,
     kanel_correction,
     plateau,
@@ -218,6 +220,14 @@ def test_a_precursor_and_a_flat_top_do_not_mislead():
     u = np.array([0, 0, 10, 10, 100, 100, 70, 90, 90], dtype=float)
     found = pull_back(t, u)
     assert (found.peak, found.minimum, found.rebound) == (100, 70, 90) and (found.peak_time, found.minimum_time) == (4, 5)
+
+
+def test_a_flat_top_between_slow_slopes_is_a_plateau_and_a_rounded_peak_is_not():
+    t = np.linspace(0.0, 4.0, 4001)
+    flat = np.interp(t, [1.0, 1.1, 1.35, 1.95, 2.2, 2.3, 4.0], [0.0, 0.955, 1.0, 1.0, 0.955, 0.3, 0.3])
+    assert flat_stretch(durations(t), flat)[1] == pytest.approx(1.0, abs=1e-3)
+    assert np.isnan(flat_stretch(durations(t), np.maximum(1.0 - (t - 2.0)**2, 0.0))[1])
+    assert np.isnan(flat_stretch(durations(t), np.interp(t, [1.0, 1.01, 3.0], [0.0, 1.0, 0.0]))[1])
 
 
 def test_the_plateau_is_free_of_the_overshoot_and_a_peak_is_kept():
