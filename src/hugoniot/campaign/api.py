@@ -75,7 +75,7 @@ def fit(deck: str | os.PathLike, to: Sequence[str] | str, free: Mapping[str, str
     `matches` the records (1 or 0), the text `doubts`, which should be read before a value is used, and the fitted `deck`.
 
     deck        path of the deck
-    to          files of measured records (.csv), or numbers such as "free surface.arrival = 0.69 +- 0.01 us"
+    to          files of measured records (.csv), or numbers such as "free surface.arrival = 0.63 +- 0.01 us"
     free        constants to find and their ranges: {"material.al.fracture.strength": "0.5..3 GPa"}, or texts
     tie         keys that follow from others, as for `sweep`
     out         folder to write (default: the deck's name with .fit); False writes nothing

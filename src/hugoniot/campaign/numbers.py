@@ -1,7 +1,5 @@
 """The numbers of one run as one flat row: those that the terminal shows, each under a name such as `free surface.arrival`."""
 
-import math
-from collections.abc import Mapping
 from typing import Any
 
 from hugoniot.output.columns import describe
@@ -9,7 +7,6 @@ from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, is_lower
 
 _SPALL_UNITS = {key: unit for key, _, unit in SPALL} | {
     "pull_back_lost": "m/s", "minimum_time": "s", "ringing_period": "s", "spall_strength_stepanov": "Pa", "spall_strength_at_least": "Pa"}
-_PLATEAUS = {"plateau_stress": "Pa", "plateau_velocity": "m/s"}
 _SUMMARY = ("cycles", "end_time", "mass_error", "momentum_error", "energy_error", "voids_opened", "voids_closed", "interfaces_separated")
 _OF_THE_CLOCK = ("wall_seconds", "kernel_seconds", "compile_seconds", "zone_updates", "run_log_bytes")
 
@@ -23,7 +20,6 @@ def numbers_of(run: Any) -> dict[str, float]:
     for row in gauge_rows(run):
         name = row.pop("gauge")
         found |= {f"{name}.{key}": float(value) for key, value in row.items()}
-        found |= {f"{name}.{key}": value for key, value in _plateaus(run, row).items()}
     spall = spall_numbers(run)
     found |= {"spall." + ("spall_strength_at_least" if is_lower_bound(key, spall) else key): float(value)
               for key, value in spall.items() if isinstance(value, (int, float))}
@@ -33,20 +29,13 @@ def numbers_of(run: Any) -> dict[str, float]:
     return found | {key: float(summary[key]) for key in wanted if key in summary and key not in _OF_THE_CLOCK}
 
 
-def _plateaus(run, row: Mapping[str, float]) -> dict[str, float]:
-    """The levels of the flat tops of a gauge's stress and velocity; the highest value where the top is not flat."""
-    rows = run.arrays("gauges")
-    return {f"plateau_{field}": row[f"plateau_{field}"] if math.isfinite(row[f"plateau_{field}"]) else row[f"peak_{field}"]
-            for field in ("stress", "velocity") if field in rows and len(rows["time"])}
-
-
 def unit_of(name: str) -> str:
     """SI unit of a number of `numbers_of`; "1" for counts and ratios."""
     owner, dot, key = name.rpartition(".")
     if dot and owner == "spall":
         return _SPALL_UNITS.get(key, describe(key)[0] or "1")
-    if dot and key in GAUGE_UNITS | _PLATEAUS:
-        return (GAUGE_UNITS | _PLATEAUS)[key]
+    if dot and key in GAUGE_UNITS:
+        return GAUGE_UNITS[key]
     if name == "end_time":
         return "s"
     return "1" if name in _SUMMARY else describe(key)[0] or "1"

@@ -34,7 +34,7 @@ POINTS = 2000        # of a model's record, over the times of the data
 class FitWishes:
     """What a fit is asked for.
 
-    to       files of measured records, or numbers "free surface.arrival = 0.69 +- 0.01 us"; free: texts of `variables.read_variable`
+    to       files of measured records, or numbers "free surface.arrival = 0.63 +- 0.01 us"; free: texts of `variables.read_variable`
     gauge    of columns that name none; sigma: uncertainty of records that bring none; window: times that count (`targets`)
     shift    largest shift of the measured clock, such as "20 ns"; scale: largest relative error of the records' scale
     loss     "linear", "soft_l1", "huber" or "cauchy"; starts: searches from different places; profile: limits by profiles

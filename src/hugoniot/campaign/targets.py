@@ -66,7 +66,7 @@ def read_targets(texts: Sequence[str], run, *, gauge: str | None = None, sigma: 
                  windows: Sequence[str] = ()) -> tuple[list[Target], list[str]]:
     """The targets that texts name, and notes on what was taken for what.
 
-    texts     files of measured records, or numbers such as "free surface.arrival = 0.69 +- 0.01 us"
+    texts     files of measured records, or numbers such as "free surface.arrival = 0.63 +- 0.01 us"
     run       a run of the model (`MemoryRun`), which says what gauges and numbers there are
     gauge     which one the columns that name none belong to
     sigma     standard deviation of records that bring none
@@ -110,7 +110,7 @@ def _measured(match: re.Match, text: str, run) -> Target:
     except UnitError as error:
         raise refuse("--to", text, error.message, error.hint) from None
     if not numbers[1] > 0.0:
-        raise refuse("--to", text, "the uncertainty must be above 0", "write it like 0.69 +- 0.01 us")
+        raise refuse("--to", text, "the uncertainty must be above 0", "write it like 0.63 +- 0.01 us")
     return Target(name, name, unit, np.zeros(1), np.array([numbers[0]]), np.array([numbers[1]]))
 
 

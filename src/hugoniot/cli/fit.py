@@ -9,7 +9,7 @@ import typer
 from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
 from hugoniot.units import format_si
 
-_TO = 'Measured record or Pop plot (.csv), or a measured number such as "free surface.arrival = 0.69 +- 0.01 us"; repeatable.'
+_TO = 'Measured record or Pop plot (.csv), or a measured number such as "free surface.arrival = 0.63 +- 0.01 us"; repeatable.'
 _FREE = 'Constant to find and its range, such as "material.al.fracture.strength = 0.5..3 GPa"; repeatable.'
 
 

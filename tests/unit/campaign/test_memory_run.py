@@ -31,6 +31,12 @@ def same(one, other):
     return one.keys() == other.keys() and all(one[key] == other[key] or one[key] != one[key] and other[key] != other[key] for key in one)
 
 
+def test_a_pulse_that_decays_has_a_peak_and_no_plateau():
+    found = numbers_of(MemoryRun(read_deck(EXAMPLES / "pulse.toml", overrides={"region.plate.zones": 150}).problem))
+    assert found["3 mm.peak_stress"] > found["12 mm.peak_stress"] > 1e9      # the peak stood for the plateau
+    assert all(np.isnan(found[f"{gauge}.plateau_{field}"]) for gauge in ("3 mm", "12 mm") for field in ("stress", "velocity"))
+
+
 @pytest.mark.parametrize("name, changes", [
     ("flyer", COARSE), ("flyer", {**COARSE, **WILKINS}), ("flyer", {**COARSE, "output.fields": ["pressure"]}), ("gap", {}), ("shell", {}),
     ("precursor", {}), ("overdriven", {})])
