@@ -5,8 +5,8 @@ Open sandwich: a plate driven by an explosive, and Gurney's formula
 A layer of Composition B, free at its back, drives a copper plate. Gurney's formula (1943) gives the final speed of the plate
 from the ratio of plate mass to charge mass, M/C, and one constant of the explosive, the Gurney velocity √(2E); it assumes a
 linear velocity profile in the gas. The simulated speeds are 1 to 3 % higher than the formula gives with √(2E) = 2.735 km/s, for
-plates from a fifth to five times the mass of the charge. The speed compared is that at seven charge lengths or, for the
-heaviest plate, at the end of the run.
+plates from a fifth to five times the mass of the charge. The speed compared is that when the plate is seven charge
+lengths from the initial back of the charge; the two heaviest plates do not get that far, and theirs is that at the end of the run.
 """
 
 import tempfile
@@ -27,7 +27,7 @@ RATIOS = (0.2, 0.5, 1.0, 2.0, 5.0)
 
 
 def plate(ratio):
-    """For M/C = ratio: the history of the plate, and its speed at seven charge lengths (or at the end, if it does not get there)."""
+    """For M/C = ratio: the history of the plate, and its speed seven charge lengths from the back of the charge (else at the end)."""
     end = 0.02 + ratio * 0.02 * 1717.0 / 8930.0
     path = folder / f"{ratio}.toml"
     path.write_text(deck.replace('"2.38454 cm"', f'"{end * 100} cm"').replace("zones = 40", f"zones = {max(8, round(40 * ratio))}"))
@@ -60,9 +60,9 @@ right.minorticks_off()
 
 # %%
 # For each plate: its simulated speed, the speed from Gurney's formula, the √(2E) that the simulated speed implies, and the
-# kinetic energy of the plate.
+# kinetic energy of the plate at that speed.
 for ratio, (history, velocity) in found.items():
-    energy = 0.5 * history["mass"][-1] * history["velocity"][-1] ** 2 / 1e6
+    energy = 0.5 * history["mass"][-1] * velocity**2 / 1e6
     print(f"M/C {ratio:<4g} {velocity:6.0f} m/s   Gurney {gurney('open', ratio, 2735.0):6.0f}   "
           f"sqrt(2E) {velocity / gurney('open', ratio, 1.0):6.0f} m/s   plate energy {energy:.1f} MJ/m²")
 plt.show()
