@@ -36,5 +36,5 @@ depth = -np.nanmax(np.where(rows["eroded"][:, :64] == 0.0, top, np.nan), axis=1)
 late = (rows["time"] > 9e-6) & (depth < 0.05)
 velocity = np.polyfit(rows["time"][late], depth[late], 1)[0]
 print(f"penetration {velocity:.0f} m/s, half the impact speed 1250 m/s")
-print(f"{run.summary['zones_eroded']} zones removed; relative energy error with their energy included {abs(run.summary['energy_error']):.1e}")
+print(f"{run.summary['zones_eroded']} zones removed; relative energy error, their energy included: {abs(run.summary['energy_error']):.1e}")
 plt.show()
