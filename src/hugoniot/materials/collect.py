@@ -16,6 +16,7 @@ MOST = 50           # problems worth listing: whoever has more reads the first o
 COUNTED = 20_000    # problems after which the reading of a hopeless file ends
 _CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")      # but for tabs and ends of lines
 _MOST_KNOWN = 400   # names worth comparing with one that is not known
+_ALIKE = 0.7      # of `difflib`: "body" is no slip of the finger for "boundary" (0.67)
 
 
 def printable(text, limit: int = 60) -> str:
@@ -30,9 +31,9 @@ def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
     known = sorted(known)
     if len(known) > _MOST_KNOWN:
         alike = [word for word in known if abs(len(word) - len(str(name))) <= 2][:_MOST_KNOWN]
-        near = difflib.get_close_matches(str(name)[:100], alike, n=1)
+        near = difflib.get_close_matches(str(name)[:100], alike, 1, _ALIKE)
         return f"did you mean '{printable(near[0])}'?" if near else otherwise or f"one of {len(known)} names"
-    near = difflib.get_close_matches(str(name)[:100], known, n=1)
+    near = difflib.get_close_matches(str(name)[:100], known, 1, _ALIKE)
     if near:
         return f"did you mean '{printable(near[0])}'?"
     if otherwise or not known:
