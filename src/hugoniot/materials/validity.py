@@ -153,8 +153,8 @@ def _shock(up: float, par) -> float:
         p = _hugoniot(rho, par)
         return min(_velocity(rho, p, par) if p < math.inf else math.inf, 1e3 * up) - up
 
-    low = high = rho0
-    while misses(high) < 0.0 and high < _DENSEST * rho0:
+    low, high = rho0, min(1.3 * rho0, 0.5 * (rho0 + limit))
+    while misses(high) < 0.0 and low < high < _DENSEST * rho0:      # equal, once the limit is a digit away
         low, high = high, min(1.3 * high, 0.5 * (high + limit))
     rho = _root(misses, low, high)
     return pressure(rho0, reference_state(par)[1], par) + up * up / (1.0 / rho0 - 1.0 / rho)

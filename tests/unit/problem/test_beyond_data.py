@@ -37,6 +37,7 @@ GAS = 'law = "ideal_gas"\ngamma = 1.4\nrho0 = 1.2\n'
     (SOLID.replace("2700.0", "8.19"), 300.0, 'rho0 = 8.19 kg/m^3 for a solid or liquid? A bare number is SI; write "8.19 g/cm^3"'),
     (SOLID.replace("s = 1.5", "s = 0.9").replace("5200.0", "2500.0"), 14e3, "that is beyond 5770 m/s, above which the law gives a compression of more than 4"),
     (SOLID.replace("s = 1.5", "s = 148.9"), 300.0, "s = 148.9 for a solid or liquid? No known material comes near this: is the value right?"),
+    (SOLID.replace("2700.0", "7850.0").replace("5200.0", "4570.0").replace("s = 1.5", "s = 1.49e11"), 2500.0, "s = 1.49e+11 for a solid"),      # hung
     (SOLID + '[material.own.strength]\nlaw = "perfectly_plastic"\nshear_modulus = 26.5\nyield_stress = "0.3 GPa"\n', 300.0, 'write "26.5 GPa"'),
     (SOLID, 300.0, "")])
 @pytest.mark.parametrize("solver", ["lagrange1d", "fronts"])
