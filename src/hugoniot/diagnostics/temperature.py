@@ -3,15 +3,14 @@
 A material has a temperature if its equation of state gives one with the constants it was given (a specific heat, as a rule). A burning
 material has that of its mixture (docs/theory/mixtures.md): the products' in thermal isolation, the common one in equilibrium, the mean
 by mass where pressures are weighted; both laws must give one. Products that have not formed yet have none. Where there is none the value
-is nan. Nor do products have one whose law would take the specific heat of air because none is given (`ideal_gas`).
+is nan.
 """
 
-import math
 
 import numpy as np
 
 from hugoniot.laws.arrays import float_parameters, recorded_temperature
-from hugoniot.laws.eos.contract import EOS, has_temperature
+from hugoniot.laws.eos.contract import has_temperature
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.materials import burning
 
@@ -22,17 +21,11 @@ def laws_with_temperature(problem) -> list:
 
 
 def _law(material):
-    explosive = material.burn is not None or material.detonation_energy is not None
-    known = has_temperature(material.eos) and not (explosive and _specific_heat_of_air(material.eos))
+    known = has_temperature(material.eos)
     if material.burn is None:
         return material.eos if known else None
     known = known and (not burning.has_reactants(material) or has_temperature(material.unreacted))
     return burning.reactive(material).mixture if known else None
-
-
-def _specific_heat_of_air(par) -> bool:
-    """Whether a gas has the specific heat of its law's default, which is that of air: products with their energy are other gases."""
-    return getattr(par, "specific_heat", None) == EOS.of(par).defaults.get("specific_heat", math.nan)
 
 
 def zone_temperature(state, region_of: np.ndarray, laws: list, phases: np.ndarray | None = None) -> np.ndarray:

@@ -74,5 +74,5 @@ def test_what_has_no_temperature_has_no_exponent():
     with pytest.raises(OutOfRange, match="specific_heat"):
         build(SOLID._replace(specific_heat=math.nan), 0.8)
     with pytest.raises(OutOfRange, match="positive"):
-        build(IdealGas(1.4), -1.0)
-    assert np.isfinite(contract.temperature(1.2, 2e5, build(IdealGas(1.4), 0.9)))
+        build(IdealGas(1.4, 717.5), -1.0)
+    assert np.isfinite(contract.temperature(1.2, 2e5, build(IdealGas(1.4, 717.5), 0.9)))

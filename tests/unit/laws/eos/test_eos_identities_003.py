@@ -24,7 +24,7 @@ from hugoniot.laws.eos.jwl_unreacted import JWLUnreacted
 from hugoniot.laws.eos.mie_gruneisen_linear_gamma import MieGruneisenLinearGamma
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 
-AIR = IdealGas(1.4)
+AIR = IdealGas(1.4, 717.5)
 WATER = StiffenedGas(4.4, 6e8, 1000.0, 1400.0)
 COMP_B = JWL(524.23e9, 7.678e9, 4.2, 1.1, 0.34, 1717.0, 8.5e9, 1000.0)
 SOLID = JWLProportional(77810e9, -5.031e9, 11.3, 1.13, 0.8938, 1717.0, 1000.0)

@@ -105,7 +105,7 @@ def test_law_with_a_specific_heat_that_varies():
 
 
 def test_gas_table_needs_a_rest_density():
-    gas = IdealGas(1.4)
+    gas = IdealGas(1.4, 717.5)
     made = table.from_law(gas, np.geomspace(0.1, 10.0, 60), np.linspace(200.0, 3000.0, 20))
     assert made.rho0 == 1.2
     with pytest.raises(OutOfRange, match="give rho0"):
