@@ -11,7 +11,7 @@ $$\dot\lambda = \frac{dp}{dt}\,\frac{1 + \rho c^2\,(du/dp)/(U_s - u)}{p_\lambda}
 A run is over half-way to the detonation's speed, where the line has a distance $x^*(p_{half})$ left (its own detonation would need infinite
 pressure): what a run has to be compared with is $x^*(p) - x^*(p_{half})$, and with $x^*(p)$ where the wedge's own reading is meant.
 
-Source: C. L. Mader, Numerical Modeling of Detonation (1979), chapter 4; Menikoff and Shaw, Review of the Forest Fire Model, LA-UR-07-2272
+Source: C. L. Mader, Numerical Modeling of Detonations (1979), chapter 4; Menikoff and Shaw, Review of the Forest Fire Model, LA-UR-07-2272
 (2007), for characteristics in place of the square wave.
 """
 

@@ -51,7 +51,7 @@ BURN.add(
              "depletion_exponent": "m, power of the unburned fraction"},
     defaults={"depletion_exponent": 1.0},
     box={"temperature": (300.0, 5000.0)},
-    references=("Fickett and Davis, Detonation, 1979, chapter 2", "Mader, Numerical Modeling of Detonation, 1979",
+    references=("Fickett and Davis, Detonation, 1979, chapter 2", "Mader, Numerical Modeling of Detonations, 1979",
                 "Starkenberg, ARL-TR-2161, section 5.6, for the temperature of the mixture"),
     flags=("temperature_driven",),
     build=build,

@@ -126,7 +126,7 @@ BURN.add(
     build=forest_fire,
     defaults={"pressure_scale": 1.0e11, "time_scale": 1.0e-6},
     box={"p": (0.0, 60.0e9)},
-    references=("Mader, Numerical Modeling of Detonation, 1979, chapter 4",),
+    references=("Mader, Numerical Modeling of Detonations, 1979, chapter 4",),
     flags=("pressure_driven",),
 )
 
@@ -140,6 +140,6 @@ BURN.add(
              "pressures": "pressures of the table, in ascending order", "rates": "rates before depletion at the pressures of the table"},
     build=rate_table,
     box={"p": (0.0, 60.0e9)},
-    references=("Mader, Numerical Modeling of Detonation, 1979, chapter 4",),
+    references=("Mader, Numerical Modeling of Detonations, 1979, chapter 4",),
     flags=("pressure_driven",),
 )
