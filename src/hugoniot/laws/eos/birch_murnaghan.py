@@ -6,8 +6,8 @@ $$p = p_c(\rho) + \rho\Gamma\,[e - e_c(\rho)], \qquad \rho\Gamma = \rho_0(\Gamma
 $$p_c = 3K_0f(1 + 2f)^{5/2}\left[1 + \tfrac32(K_0' - 4)f\right], \quad e_c = \frac{9K_0}{2\rho_0}f^2\left[1 + (K_0' - 4)f\right],
   \quad f = \tfrac12\left[(\rho/\rho_0)^{2/3} - 1\right]$$
 
-$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
-`gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused.
+$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, and
+`gamma_slope` gives any other slope. Densities at which $\rho\Gamma$ would not be positive are refused.
 
 The curve is the isentrope through the reference state ($e = 0$, temperature $T_0$), so $K_0$ is the isentropic bulk modulus
 (static compression gives the isothermal one). With a constant specific heat $c_v$,

@@ -43,7 +43,7 @@ from hugoniot.core.ops import vexp, vlog
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.mie_gruneisen_linear_gamma import MieGruneisenLinearGamma
-from hugoniot.laws.eos.reference_curves import gamma_slope_of
+from hugoniot.laws.eos.reference_curves import GAMMA_MEANING, gamma_slope_of
 from hugoniot.laws.eos.special import ei_difference
 
 
@@ -129,10 +129,10 @@ def particle_velocity_limit(par):
     return par.c0 / (1.0 - par.s) if par.s < 1.0 else math.inf
 
 
-def build(rho0, c0, s, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math.nan, specific_heat=math.nan, reference_temperature=298.15):
+def build(rho0, c0, s, gamma0, gamma_form=None, gamma_slope=math.nan, specific_heat=math.nan, reference_temperature=298.15):
     """Parameters from a deck.
 
-    A `gamma_form` other than "rho_gamma_constant" gives the law mie_gruneisen_linear_gamma, and so does gamma0 > 8 s, a Hugoniot so
+    Where rho Gamma is not constant they are those of the law mie_gruneisen_linear_gamma, and so they are with gamma0 > 8 s, a Hugoniot so
     straight that the closed form of the temperature would cancel; pressures are the same in both.
     """
     for name, value in (("rho0", rho0), ("c0", c0)):
@@ -140,8 +140,6 @@ def build(rho0, c0, s, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math
             raise OutOfRange(f"mie_gruneisen: {name} must be positive, got {value}")
     if not (s >= 0.0 and gamma0 > 0.0):
         raise OutOfRange(f"mie_gruneisen: needs s >= 0 and gamma0 > 0, got s = {s}, gamma0 = {gamma0}")
-    if gamma_form == "rho_gamma_constant" and math.isfinite(gamma_slope) and gamma_slope != 0.0:
-        gamma_form = "linear"
     slope = gamma_slope_of(gamma_form, gamma0, gamma_slope)
     if slope == 0.0 and gamma0 <= 8.0 * s:
         return MieGruneisen(rho0, c0, s, gamma0, specific_heat, reference_temperature)
@@ -160,9 +158,8 @@ EOS.add(
              "gamma0": "Grüneisen parameter at the reference density",
              "specific_heat": "specific heat at constant volume, needed for temperatures",
              "reference_temperature": "temperature of the reference state",
-             "gamma_form": "form of the Grüneisen parameter: `rho_gamma_constant`, `constant`, or `linear` with `gamma_slope`",
-             "gamma_slope": "slope of rho Gamma/rho0 against mu = rho/rho0 - 1: Gamma = (gamma0 + gamma_slope mu)/(1 + mu)"},
-    defaults={"specific_heat": math.nan, "reference_temperature": 298.15, "gamma_form": "rho_gamma_constant", "gamma_slope": math.nan},
+             "gamma_form": GAMMA_MEANING["gamma_form"], "gamma_slope": GAMMA_MEANING["gamma_slope"]},
+    defaults={"specific_heat": math.nan, "reference_temperature": 298.15, "gamma_form": None, "gamma_slope": math.nan},
     box={"rho": (2100.0, 6500.0), "e": (0.0, 2e7)},
     references=("Starkenberg, ARL-TR-2161, appendix A-6.2, A-11", "Herrmann, WL-TR-64-107, eq. C.5, C.6, C.12",
                 "Jordan 2011, eq. 5.1.4 to 5.1.10"),

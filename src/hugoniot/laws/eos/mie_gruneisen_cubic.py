@@ -6,11 +6,11 @@ $$U_s = c_0 + \left[s_1 + s_2\frac{u_p}{U_s} + s_3\left(\frac{u_p}{U_s}\right)^2
   p_H = \frac{\rho_0c_0^2\,\eta}{(1 - s_1\eta - s_2\eta^2 - s_3\eta^3)^2}, \qquad e_H = \frac{p_H\eta}{2\rho_0},$$
 $$p = p_H + \rho\Gamma\,(e - e_H), \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_1\mu), \qquad \mu = \rho/\rho_0 - 1.$$
 
-$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
-`gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused. Below $\rho_0$ the reference curve is the
-isentrope that `mie_gruneisen` uses in tension, with $s_1$ for $s$. The law ends at the pole of $p_H$, or before it where $u_p$ no longer
-rises with $\eta$. The temperature is that of `mie_gruneisen_linear_gamma` with this Hugoniot; its isentrope is integrated with 16 Gauss
-points (error below $10^{-12}$ of the energy up to 70 % of the limiting compression).
+$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, and
+`gamma_slope` gives any other slope. Densities at which $\rho\Gamma$ would not be positive are refused. Below $\rho_0$ the reference curve
+is the isentrope that `mie_gruneisen` uses in tension, with $s_1$ for $s$. The law ends at the pole of $p_H$, or before it where $u_p$ no
+longer rises with $\eta$. The temperature is that of `mie_gruneisen_linear_gamma` with this Hugoniot; its isentrope is integrated with 16
+Gauss points (error below $10^{-12}$ of the energy up to 70 % of the limiting compression).
 
 Source: Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted by Starkenberg, ARL-TR-2161, appendix A-6; Starkenberg
 A-11.
@@ -80,7 +80,7 @@ def particle_velocity_limit(par):
     return par.c0 * eta / rest if rest > 0.0 and (eta < pole or eta == 1.0) else math.inf
 
 
-def build(rho0, c0, s1, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math.nan, **given):
+def build(rho0, c0, s1, gamma0, gamma_form=None, gamma_slope=math.nan, **given):
     """Parameters from a deck: the Grüneisen parameter by `gamma_form` as in mie_gruneisen."""
     if not (rho0 > 0.0 and c0 > 0.0 and s1 >= 0.0 and gamma0 > 0.0):
         raise OutOfRange(f"mie_gruneisen_cubic: needs rho0, c0, gamma0 > 0 and s1 >= 0, got rho0 = {rho0:g} kg/m3, "

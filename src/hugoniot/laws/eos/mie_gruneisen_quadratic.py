@@ -7,9 +7,9 @@ $$U_s = \frac{2c_0}{1 - s_1\eta + \sqrt{(1 - s_1\eta)^2 - 4 s_2c_0\eta^2}},
   \qquad p_H = \rho_0U_s^2\eta, \qquad e_H = \frac{p_H\eta}{2\rho_0},$$
 $$p = p_H + \rho\Gamma\,(e - e_H), \qquad \rho\Gamma = \rho_0(\Gamma_0 + \Gamma_1\mu), \qquad \mu = \rho/\rho_0 - 1.$$
 
-$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
-`gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused. Below $\rho_0$ the reference curve is the
-isentrope that `mie_gruneisen` uses in tension, with $s_1$ for $s$.
+$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, and
+`gamma_slope` gives any other slope. Densities at which $\rho\Gamma$ would not be positive are refused. Below $\rho_0$ the reference curve
+is the isentrope that `mie_gruneisen` uses in tension, with $s_1$ for $s$.
 
 For $s_2 > 0$ the root ends at $u_p = \sqrt{c_0/s_2}$, the compression $1/(s_1 + 2\sqrt{c_0s_2})$. For $s_2 < 0$ the law ends where the
 fitted $U_s$ is highest, $u_p = s_1/(2|s_2|)$, or where it has fallen to $u_p$. Use the fit only in the range of particle velocities in
@@ -70,7 +70,7 @@ def density_limits(par):
     return lowest_density(par.rho0, par.gamma0, par.gamma_slope), highest_density(par.rho0, strain, par.gamma0, par.gamma_slope)
 
 
-def build(rho0, c0, s1, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math.nan, **given):
+def build(rho0, c0, s1, gamma0, gamma_form=None, gamma_slope=math.nan, **given):
     """Parameters from a deck: the Grüneisen parameter by `gamma_form` as in mie_gruneisen."""
     if not (rho0 > 0.0 and c0 > 0.0 and s1 >= 0.0 and gamma0 > 0.0):
         raise OutOfRange(f"mie_gruneisen_quadratic: needs rho0, c0, gamma0 > 0 and s1 >= 0, got rho0 = {rho0:g} kg/m3, "

@@ -7,8 +7,8 @@ $$p = p_c(\rho) + \rho\Gamma\,[e - e_c(\rho)], \qquad \rho\Gamma = \rho_0(\Gamma
 $$p_c = \frac{K_0}{n}\left(X^n - 1\right), \qquad e_c = \frac{K_0}{n\rho_0}\left[\frac{X^{n-1} - 1}{n - 1} + \frac1X - 1\right],
   \qquad X = \rho/\rho_0$$
 
-$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
-`gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused.
+$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, and
+`gamma_slope` gives any other slope. Densities at which $\rho\Gamma$ would not be positive are refused.
 
 The curve is the isentrope through the reference state ($e = 0$, temperature $T_0$), so $K_0$ is the isentropic bulk modulus
 (static compression gives the isothermal one). With a constant specific heat $c_v$,

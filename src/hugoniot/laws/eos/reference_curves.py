@@ -25,17 +25,25 @@ from hugoniot.laws.eos.special import quadrature
 
 
 def gamma_slope_of(form, gamma0, slope=math.nan):
-    """The slope of Gamma = (gamma0 + slope mu)/(1 + mu) for a named form: rho_gamma_constant, constant, linear (then `slope`)."""
-    if form == "rho_gamma_constant":
-        return 0.0
-    if form == "constant":
-        return gamma0
+    """The slope of Gamma = (gamma0 + slope mu)/(1 + mu) for a named form: rho_gamma_constant, constant, linear (then `slope`).
+
+    Without a form (None) a slope makes it linear. A form refuses a slope that contradicts it; 0 is the slope of a law that was given none.
+    """
+    given = math.isfinite(slope)
+    if form is None:
+        return slope if given else 0.0
     if form == "linear":
-        if not math.isfinite(slope):
+        if not given:
             raise OutOfRange("gamma_form = 'linear' needs gamma_slope, as in Gamma = (gamma0 + gamma_slope mu)/(1 + mu) with mu = "
                              "rho/rho0 - 1")
         return slope
-    raise OutOfRange(f"unknown gamma_form '{form}'; known: rho_gamma_constant, constant, linear")
+    implied = {"rho_gamma_constant": 0.0, "constant": gamma0}
+    if form not in implied:
+        raise OutOfRange(f"unknown gamma_form '{form}'; known: rho_gamma_constant, constant, linear")
+    if given and slope not in (0.0, implied[form]):
+        raise OutOfRange(f"gamma_form = '{form}' means gamma_slope = {implied[form]:g}, but gamma_slope is {slope:g}; omit gamma_form, or "
+                         f"set gamma_slope = {implied[form]:g}")
+    return implied[form]
 
 
 GAMMA_UNITS = {"gamma0": "1", "gamma_slope": "1", "specific_heat": "J/kg/K", "reference_temperature": "K", "gamma_form": "text"}
@@ -44,16 +52,15 @@ GAMMA_MEANING = {
     "gamma_slope": "slope of rho Gamma/rho0 against mu = rho/rho0 - 1: Gamma = (gamma0 + gamma_slope mu)/(1 + mu)",
     "specific_heat": "specific heat at constant volume, needed for temperatures",
     "reference_temperature": "temperature of the reference state",
-    "gamma_form": "form of the Grüneisen parameter: `rho_gamma_constant`, `constant`, or `linear` with `gamma_slope`",
+    "gamma_form": "form of the Grüneisen parameter: `rho_gamma_constant`, `constant`, or `linear` with `gamma_slope`; if omitted, `linear` "
+                  "where `gamma_slope` is given, else `rho_gamma_constant`",
 }
-GAMMA_DEFAULTS = {"gamma_slope": math.nan, "specific_heat": math.nan, "reference_temperature": 298.15, "gamma_form": "rho_gamma_constant"}
+GAMMA_DEFAULTS = {"gamma_slope": math.nan, "specific_heat": math.nan, "reference_temperature": 298.15, "gamma_form": None}
 
 
 def with_gamma_form(parameters):
     """A law's builder from a deck's values: the Grüneisen parameter by `gamma_form` as in mie_gruneisen."""
-    def build(gamma_form="rho_gamma_constant", gamma_slope=math.nan, **given):
-        if gamma_form == "rho_gamma_constant" and math.isfinite(gamma_slope) and gamma_slope != 0.0:
-            gamma_form = "linear"
+    def build(gamma_form=None, gamma_slope=math.nan, **given):
         return parameters(gamma_slope=gamma_slope_of(gamma_form, given["gamma0"], gamma_slope), **given)
 
     return build

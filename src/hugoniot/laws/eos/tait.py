@@ -6,8 +6,8 @@ $$p = p_c(\rho) + \rho\Gamma\,[e - e_c(\rho)], \qquad \rho\Gamma = \rho_0(\Gamma
 $$\eta = C\ln\left(1 + \frac{p_c}{B}\right) \;\Longleftrightarrow\; p_c = B\left(e^{\eta/C} - 1\right), \qquad
   e_c = \frac{B}{\rho_0}\left[C\left(e^{\eta/C} - 1\right) - \eta\right]$$
 
-$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, or a
-`gamma_slope` of your own. Densities at which $\rho\Gamma$ would not be positive are refused.
+$\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gamma$ constant; `gamma_form` selects one of these, and
+`gamma_slope` gives any other slope. Densities at which $\rho\Gamma$ would not be positive are refused.
 
 The curve is the isentrope through the reference state ($e = 0$, temperature $T_0$); its bulk modulus there is $B/C$. With a constant
 specific heat $c_v$,

@@ -209,6 +209,23 @@ def test_deck_forms_of_gamma():
     assert EOS.of(build(2785.0, 5328.0, 0.2, 2.0)).name == "mie_gruneisen_linear_gamma"
 
 
+LEAD = {"rho0": 11340.0, "c0": 2006.0, "s1": 1.429, "s2": 0.8506, "s3": -1.64, "gamma0": 2.77}
+
+
+@pytest.mark.parametrize("law, values", [("mie_gruneisen", {"rho0": 2785.0, "c0": 5328.0, "s": 1.338, "gamma0": 2.77}),
+                                         ("mie_gruneisen_cubic", LEAD)])
+def test_a_form_of_gamma_refuses_a_slope_that_contradicts_it(law, values):
+    """A slope alone is linear; beside a form that is written out it used to win over rho_gamma_constant and to be ignored by constant."""
+    make = EOS.get(law).build
+    assert gruneisen(2.0 * values["rho0"], 1e6, make(**values, gamma_slope=0.54)) == pytest.approx((2.77 + 0.54) / 2.0, rel=1e-14)
+    for form, slope in (("rho_gamma_constant", 0.0), ("constant", 2.77)):
+        expected = pytest.approx((2.77 + slope) / 2.0, rel=1e-14)
+        for given in ({}, {"gamma_slope": 0.0}, {"gamma_slope": slope}):      # 0: that of a library material without a slope
+            assert gruneisen(2.0 * values["rho0"], 1e6, make(**values, gamma_form=form, **given)) == expected
+        with pytest.raises(OutOfRange, match=f"gamma_form = '{form}' means gamma_slope = {slope:g}, but gamma_slope is 0.54"):
+            make(**values, gamma_form=form, gamma_slope=0.54)
+
+
 @pytest.mark.parametrize("change, message", [({"gamma_form": "quadratic"}, "unknown gamma_form 'quadratic'"), ({"gamma_form": "linear"}, "gamma_slope"),
                                              ({"rho0": -1.0}, "rho0 must be positive"), ({"s": -0.5}, "s >= 0"), ({"gamma0": 0.0}, "gamma0 > 0")])
 def test_bad_parameters_are_refused(change, message):
