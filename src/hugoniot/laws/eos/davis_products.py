@@ -1,11 +1,15 @@
 r"""Davis equation of state for detonation products.
 
-It is referred to an isentrope with energy $e_s$ and pressure $p_s$, whose adiabatic exponent falls from a high value in dense products to
-$k$ in a dilute gas. The transition is centred at the volume $v_c$. With $v = 1/\rho$, $w = v/v_c$ and $D(w) = \tfrac12(w^n + w^{-n})$,
+It is referred to an isentrope with energy $e_s$ and pressure $p_s$. With $v = 1/\rho$, $w = v/v_c$ and
+$D(w) = \tfrac12(w^n + w^{-n})$,
 
 $$e_s = e_c\frac{D^{a/n}}{w^{k-1+a}}, \quad p_s = \frac{e_s}{v}(k - 1 + F), \quad F = \frac{2a\,w^{-n}}{w^n + w^{-n}}, \quad
   e_c = \frac{p_cv_c}{k-1+a},$$
 $$p = p_s + \frac{\Gamma}{v}(e - e_s), \qquad \Gamma = k - 1 + (1-b)F.$$
+
+On the isentrope $F$ falls from $2a$ in dense products to 0 in a dilute gas. This transition is centred at the volume $v_c$, where
+$F = a$. The adiabatic exponent $-d\ln p_s/d\ln v$ goes from $k + 2a$ to $k$, but with a maximum in between (example: from 2.95 to 1.35,
+with a maximum of 4.05 at $1.08\,v_c$).
 
 With a constant specific heat $c_v$ the temperature is
 
@@ -112,8 +116,8 @@ EOS.add(
                reference_isentrope],
     example=DavisProducts(0.798311, 0.58, 1.35, 2.66182, 0.75419e-3, 3.2e9, 1890.0, 4.115e6, 1072.0),
     units={"a": "1", "b": "1", "k": "1", "n": "1", "vc": "m^3/kg", "pc": "Pa", "rho0": "kg/m^3", "e0": "J/kg", "specific_heat": "J/kg/K"},
-    meaning={"a": "height of the transition of the adiabatic exponent",
-             "b": "fraction of the transition that the Grüneisen parameter does not follow", "k": "adiabatic exponent at large volumes",
+    meaning={"a": "half the value of F in dense products", "b": "fraction of F that is missing from the Grüneisen parameter",
+             "k": "adiabatic exponent at large volumes",
              "n": "sharpness of the transition", "vc": "specific volume of the transition", "pc": "pressure scale of the transition",
              "rho0": "density of the unreacted explosive", "e0": "energy of the unreacted explosive",
              "specific_heat": "specific heat at constant volume, needed for temperatures"},
