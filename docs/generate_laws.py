@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 from law_pictures import draw
-from law_words import CAPTIONS, FAMILIES, GROUPS, MATERIALS, OWN_SYMBOLS, QUANTITIES, SYMBOLS, WHERE_SET, WRITTEN
+from law_words import CAPTIONS, FAMILIES, GROUPS, KEYS_BESIDE, MATERIALS, OWN_SYMBOLS, QUANTITIES, SYMBOLS, WHERE_SET, WRITTEN
 from source_labels import explained
 
 import hugoniot.laws.burn
@@ -51,6 +51,9 @@ def parameters(law) -> list[str]:
     names, needed = accepted(law)
     if law.family == "mixture":
         rows = [[f"`{name}`", WHERE_SET[name], marked(law.meaning[name])] for name in law.parameters._fields]
+        if law.name in KEYS_BESIDE:
+            key, given, meaning, _ = KEYS_BESIDE[law.name]
+            rows.append([f"`{key}`", given, meaning])
         return table(["parameter", "given by", "meaning"], rows)
     symbols = {**SYMBOLS, **OWN_SYMBOLS.get(law.name, {})} if law.family == "eos" else {}
     rows, order = [], law.parameters._fields
@@ -178,6 +181,9 @@ def mixture_lines(law) -> list[str]:
     lines = [f"[{place}]", f'mixture = "{law.name}"']
     if "detonation_energy" in par._fields:
         lines.append(f'detonation_energy = "{quantity(par.detonation_energy, "J/kg")}"')
+    if law.name in KEYS_BESIDE:
+        key, _, _, value = KEYS_BESIDE[law.name]
+        lines.append(f'{key} = "{value}"')
     for name, key in (("reactants", "unreacted"), ("products", "eos")):
         if name in par._fields:
             inner = getattr(par, name)

@@ -118,6 +118,11 @@ WHERE_SET = {
     "reactant_density_limit": "the equation of state itself", "product_density_limit": "the equation of state itself",
     "nascent_limit": "the solver: 1e-3 with `lagrange1d` and `lagrange2d`, 1e-4 with `fronts`; 1e-6 in the tools without a mesh",
 }
+# mixture law: (key of the material that it reads besides its parameters, what gives it, meaning, value in the example)
+KEYS_BESIDE = {
+    "burned_products": ("detonation_energy", "the key `detonation_energy` of the material; default: the energy that the equation of state "
+                        "of the products assigns to its reference state", "chemical energy Q released by burning", "5 MJ/kg"),
+}
 QUANTITIES = {      # variable: (name, unit shown, factor from SI)
     "rho": ("density", "kg/m³", 1.0), "e": ("specific internal energy", "MJ/kg", 1e-6), "p": ("pressure", "GPa", 1e-9),
     "temperature": ("temperature", "K", 1.0), "T": ("temperature", "K", 1.0), "bulk_modulus": ("bulk modulus", "GPa", 1e-9),

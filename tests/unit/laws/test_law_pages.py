@@ -1,5 +1,6 @@
 """The pages of the laws: what they show as an example of a deck is read back as the law's own example."""
 
+import dataclasses
 import importlib.util
 import tomllib
 from pathlib import Path
@@ -7,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from hugoniot.materials.burning import reactive
 from hugoniot.materials.read import build_material
 
 SCRIPT = Path(__file__).parents[3] / "docs" / "generate_laws.py"
@@ -66,6 +68,8 @@ def test_the_deck_of_a_mixture_gives_its_example(pages):
         if "reactants" in law.parameters._fields:
             np.testing.assert_allclose(flat(found.unreacted), flat(law.example.reactants), rtol=1e-12, err_msg=law.name)
             assert found.detonation_energy == law.example.detonation_energy
+        burn = pages.BURN.get("programmed" if "no_reactants" in law.flags else "pressure_power").example
+        reactive(dataclasses.replace(found, burn=burn))      # raises where a run would refuse the material
     np.testing.assert_allclose(pages.EOS.get("mie_gruneisen_cold_series").example[:8],
                                build_material("x", tomllib.loads("\n".join(pages.WRITTEN["mie_gruneisen_cold_series"]))["material"]["copper"],
                                               [], "page", lambda key: None).eos[:8], rtol=1e-12)
