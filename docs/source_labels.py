@@ -5,7 +5,7 @@ import re
 LABEL = r"[WKHSJ]-E\d+"
 _BARE = re.compile(rf"\(({LABEL}(?:, {LABEL})*)\)")
 # documents that are cited by a short name alone
-_SHORT = {"Wilkins": r"\bWilkins, (?:appendix|[AB]\.)", "KB codes": r"\bKB codes,"}
+_SHORT = {"Wilkins": r"\bWilkins, (?:appendix|[AB]\.)", "KB codes": r"\bKB codes,", "Jordan": r"\bJordan,? (?:\(?2011|eq\.)"}
 
 
 def spelled_out(text: str) -> str:

@@ -18,8 +18,8 @@ $E_{00} = -c_vT_0$ it is $T_0$ in the reference state, and it is everywhere that
 
 Parameters with $\Gamma_0 > 8s$ are refused, because the closed form of $e_S$ would lose its precision; use `mie_gruneisen`.
 
-Source: Jordan (2011), eq. 5.1.1 to 5.1.13 (5.1.10 is missing from the available copy and was rederived); Starkenberg, ARL-TR-2161, appendix
-A-2.
+Source: Jordan (2011), eq. 5.1.1 to 5.1.10; 5.1.10 is missing from the available copy and was rederived (J-E17). Starkenberg, ARL-TR-2161,
+appendix A-2.
 """
 
 import math
@@ -93,6 +93,6 @@ EOS.add(
              "specific_heat": "specific heat at constant volume, needed for temperatures"},
     defaults={"cold_energy": 0.0, "specific_heat": math.nan},
     box={"rho": (7000.0, 20000.0), "e": (0.0, 1e7)},
-    references=("Jordan 2011, eq. 5.1.1 to 5.1.10 (J-E8)", "Starkenberg, ARL-TR-2161, appendix A-2"),
+    references=("Jordan 2011, eq. 5.1.1 to 5.1.10 (J-E8, J-E17)", "Starkenberg, ARL-TR-2161, appendix A-2"),
     flags=("linear_in_energy",),
 )

@@ -1,4 +1,4 @@
-r"""Mie-Grüneisen equation of state on a cold curve truncated at order 3 to 6, as printed by Jordan.
+r"""Mie-Grüneisen equation of state on a cold curve truncated at order 3 to 6, as in Jordan (2011).
 
 Use it to reproduce results obtained with a truncated cold curve; `mie_gruneisen_cold` is the same law without truncation.
 
@@ -14,7 +14,7 @@ so that $e_2 = (c_0^2 + \Gamma_0^2E_{00})/2$ and $e_3 = (4sc_0^2 + \Gamma_0^3E_{
 compression: for copper with $E_{00} = 0$ the cold energy at $\eta = 0.3$ is 21 % too low at order 3 and 1.5 % at order 6. The series is
 used unchanged in tension. The temperature is $T = (e - E_c)/c_v$ with a constant specific heat $c_v$.
 
-Source: Jordan (2011), eq. 5.1.11 to 5.1.13 (missing from the available copy, rederived).
+Source: Jordan (2011), eq. 5.1.11 to 5.1.13; 5.1.11 and 5.1.13 are missing from the available copy and were rederived (J-E17).
 """
 
 import math
@@ -113,6 +113,6 @@ EOS.add(
              **{k: f"coefficient of eta^{n} (filled by build)" for k, n in _COEFFICIENTS.items()}},
     defaults={"order": 3.0, "cold_energy": 0.0, "specific_heat": math.nan},
     box={"rho": (8000.0, 14000.0), "e": (0.0, 3e6)},
-    references=("Jordan 2011, eq. 5.1.11 to 5.1.13 (recovered)",),
+    references=("Jordan 2011, eq. 5.1.11 to 5.1.13 (J-E17)",),
     flags=("linear_in_energy", "truncated"),
 )
