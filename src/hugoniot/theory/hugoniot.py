@@ -186,7 +186,8 @@ def _check_fit(par, ahead: Initial, up) -> None:
     end = fastest(par, ahead)
     if np.max(up) > end * (1.0 + 1e-9):
         raise OutOfRange(f"particle velocity {np.max(up):.6g} m/s is beyond the fit of law '{EOS.of(par).name}': the Hugoniot ends at "
-                         f"particle velocity {end:.6g} m/s, where the fitted shock velocity stops rising or falls to the particle velocity")
+                         f"particle velocity {end:.6g} m/s, where the fitted shock velocity stops rising or the particle velocity "
+                         "reaches it")
 
 
 def _targets(name, value, ahead: Initial, direction: int):

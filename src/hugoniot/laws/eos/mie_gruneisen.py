@@ -16,7 +16,7 @@ which continues the Hugoniot with the same pressure, slope and curvature. Its sl
 expansion, so the sound speed is real wherever $e \ge e_R$, and tensions on the curve stay below $3\rho_0c_0^2/(8s)$ (22 GPa for the
 example). Real materials fail at lower tensions; add a fracture law.
 
-The Hugoniot has a pole at $\eta = 1/s$. With $s < 1$ the fit ends where $U_s$ falls to $u_p$, at $u_p = c_0/(1 - s)$ (J-E16).
+The Hugoniot has a pole at $\eta = 1/s$. With $s < 1$ the fit ends where $u_p$ catches up with $U_s$, at $u_p = c_0/(1 - s)$ (J-E16).
 
 **Other forms.** `gamma_form = "constant"` keeps $\Gamma$ constant, and `"linear"` takes the slope $\Gamma_1$ of
 `mie_gruneisen_linear_gamma`; both are evaluated by that law, and so is a Hugoniot with $\Gamma_0 > 8s$, with the same pressures. For
@@ -125,7 +125,7 @@ def density_limits(par):
 
 
 def particle_velocity_limit(par):
-    """J-E16: with s < 1 the fitted Us falls to up at up = c0/(1 - s), infinite compression; no shock is faster."""
+    """J-E16: with s < 1 up catches up with the fitted Us at up = c0/(1 - s), infinite compression; no shock is faster."""
     return par.c0 / (1.0 - par.s) if par.s < 1.0 else math.inf
 
 

@@ -134,7 +134,7 @@ def density_limits(par):
 
 
 def particle_velocity_limit(par):
-    """J-E16: with s < 1 the fitted Us falls to up at up = c0/(1 - s), infinite compression; no shock is faster."""
+    """J-E16: with s < 1 up catches up with the fitted Us at up = c0/(1 - s), infinite compression; no shock is faster."""
     return par.c0 / (1.0 - par.s) if par.s < 1.0 else math.inf
 
 

@@ -12,9 +12,9 @@ $\Gamma_1 = 0$ keeps $\rho\Gamma$ constant and $\Gamma_1 = \Gamma_0$ keeps $\Gam
 is the isentrope that `mie_gruneisen` uses in tension, with $s_1$ for $s$.
 
 For $s_2 > 0$ the root ends at $u_p = \sqrt{c_0/s_2}$, the compression $1/(s_1 + 2\sqrt{c_0s_2})$. For $s_2 < 0$ the law ends where the
-fitted $U_s$ is highest, $u_p = s_1/(2|s_2|)$, or where it has fallen to $u_p$. Use the fit only in the range of particle velocities in
-which it was made. The temperature is that of `mie_gruneisen_linear_gamma` with this Hugoniot; its isentrope is integrated with 16 Gauss
-points (error below $10^{-12}$ of the energy up to 70 % of the limiting compression).
+fitted $U_s$ is highest, $u_p = s_1/(2|s_2|)$, or before that where $u_p$ catches up with $U_s$. Use the fit only in the range of particle
+velocities in which it was made. The temperature is that of `mie_gruneisen_linear_gamma` with this Hugoniot; its isentrope is integrated
+with 16 Gauss points (error below $10^{-12}$ of the energy up to 70 % of the limiting compression).
 
 Source: Starkenberg, ARL-TR-2161, appendix A-11 (any $U_H(u)$ that can be solved); form of the Hugoniot as in compilations of shock data
 (Marsh 1980).
@@ -52,7 +52,7 @@ def hugoniot_curve(eta, par):
 
 
 def particle_velocity_limit(par):
-    """Where the root ends (s2 > 0), the fitted Us stops rising (s2 < 0) or Us has fallen to up (J-E16), whichever is first."""
+    """Where the root ends (s2 > 0), the fitted Us stops rising (s2 < 0) or up catches up with Us (J-E16), whichever is first."""
     c0, s1, s2 = par.c0, par.s1, par.s2
     if s2 == 0.0:
         return c0 / (1.0 - s1) if s1 < 1.0 else math.inf
