@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from hugoniot.laws.fracture import pressure_volume
 from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.fracture.pressure_volume import damage_rate, failure, tension_cap
 
 
 class PressureVolumeAtNodes(NamedTuple):
@@ -20,20 +21,8 @@ class PressureVolumeAtNodes(NamedTuple):
     volume_limit: float = 1.0
 
 
-def failure(tension, p, v, damage, par):
-    return pressure_volume.failure(tension, p, v, damage, par)
-
-
-def damage_rate(tension, par):
-    return 0.0
-
-
-def tension_cap(void_fraction, par):
-    return pressure_volume.tension_cap(void_fraction, par)
-
-
 def at_node(tension, p, v, slope, par):
-    return failure(tension, p, v, 0.0, par)
+    return failure(0.0, p, v, 0.0, par)
 
 
 def build(pressure_limit, volume_limit=1.0):
