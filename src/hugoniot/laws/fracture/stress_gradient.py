@@ -13,8 +13,8 @@ larger of the slopes over four zones on either side.
 A triangular pulse of peak $P$ and length $L$ that reaches a free surface produces a tension $2Px/L$ at the depth $x$. The material
 spalls at the depth $A\sqrt{L/(2P)}$ and the tension $A\sqrt{2P/L}$, and again at equal distances while the pulse lasts.
 
-The law is for one-dimensional runs of inert materials. It has no default constants: the open literature gives the form of the law, and its
-equivalence to an impulse criterion (Tuler & Butcher), but no values for metals.
+The law is for one-dimensional runs of inert materials. It has no default constants, because no published values were available for
+checking; those of the example only show the syntax. Tuler & Butcher relate the law to an impulse criterion.
 """
 
 from typing import NamedTuple
