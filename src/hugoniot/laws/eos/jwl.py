@@ -11,9 +11,9 @@ $$c^2 = \omega(\omega+1)\left[e_1\left(\frac{(R_1V)^2}{\omega(\omega+1)} - 1\rig
       + e_2\left(\frac{(R_2V)^2}{\omega(\omega+1)} - 1\right)e^{-R_2V} + e\right],
   \quad e_1 = \frac{A}{R_1\rho_0},\; e_2 = \frac{B}{R_2\rho_0},$$
 
-with the prefactor corrected (S-E10). All isentropes are $e_S = e_1e^{-R_1V} + e_2e^{-R_2V} + \text{const}\cdot V^{-\omega}$. The
-temperature is $T = (e - e_C)/c_v$, where the cold isentrope $e_C$ is the one whose constant is `cold_constant`. Leave it at 0
-unless a measured temperature of the products allows it to be fitted.
+with the prefactor corrected (S-E10). All isentropes are $e_S = e_1e^{-R_1V} + e_2e^{-R_2V} + e_3V^{-\omega}$, each with its own constant
+$e_3$. The temperature is $T = (e - e_C)/c_v$ with the cold isentrope $e_C$, whose constant is `cold_constant`. Leave it at 0 unless a
+measured temperature of the products allows it to be fitted.
 
 **Negative B.** Sets fitted to unreacted explosives have $B < 0$; for those use `jwl_unreacted`, which has the same pressure. The cold
 pressure $f = Ae^{-R_1V} + Be^{-R_2V}$ then falls to its greatest tension at
@@ -128,7 +128,7 @@ EOS.add(
              "r1": "exponent of the first exponential", "r2": "exponent of the second exponential", "omega": "Grüneisen parameter",
              "rho0": "density of the unreacted explosive", "e0": "detonation energy per volume of unreacted explosive",
              "specific_heat": "specific heat at constant volume, needed for temperatures",
-             "cold_constant": "coefficient of (rho0/rho)^-omega in the energy at zero temperature"},
+             "cold_constant": "constant e_3 of the isentrope at zero temperature"},
     defaults={"e0": 0.0, "specific_heat": math.nan, "cold_constant": 0.0},
     box={"rho": (20.0, 3000.0), "e": (2.5e6, 2e7)},
     references=("Starkenberg, ARL-TR-2161, appendix A-9 (corrected: S-E10, S-E11)", "Lee and Hornig 1969, as cited there"),
