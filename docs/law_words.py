@@ -13,7 +13,7 @@ FAMILIES = {
                  "A strength law gives the shear modulus and the flow stress of a solid: `law = \"...\"` in the table "
                  "`[material.NAME.strength]` of a deck."),
     "fracture": ("Fracture",
-                 "A fracture law decides when a material fails in tension, and which tension it supports afterwards: `law = \"...\"` in "
+                 "A fracture law decides when a material fails in tension, and how much tension it supports afterwards: `law = \"...\"` in "
                  "the table `[material.NAME.fracture]` of a deck."),
     "viscosity": ("Artificial viscosity",
                   "Artificial viscosity spreads a shock over a few zones: `law = \"...\"` in the table `[solver.viscosity]` of a deck. "
@@ -30,7 +30,7 @@ FAMILIES = {
                   "`viscosity = {law = \"...\", ...}` in the table `[transport.NAME]` of a deck, where NAME is a material, or in "
                   "`[solver.transport]` for the solver `shock_structure`."),
     "conduction": ("Heat conduction",
-                   "Heat conductivity of a material, for the structure of a shock and for the solver `lagrange1d`: "
+                   "Thermal conductivity of a material, for the structure of a shock and for the solver `lagrange1d`: "
                    "`conduction = {law = \"...\", ...}` in the table `[transport.NAME]` of a deck, where NAME is a material, or in "
                    "`[solver.transport]` for the solver `shock_structure`."),
 }
@@ -61,7 +61,7 @@ OWN_SYMBOLS = {
     "davis_products": {"pc": "p_c", "vc": "v_c"},
     "davis_reactants": {"a": "A", "b": "B", "c": "C", "z": "Z", "specific_heat": "c_{v0}"},
     "grain_contact": {"grain_density": r"\rho_s", "grain_modulus": "K", "grain_modulus_slope": "n"},
-    "jwl": {**_JWL, "e0": "E_0", "cold_constant": "a"},
+    "jwl": {**_JWL, "e0": "E_0"},
     "jwl_proportional": _JWL,
     "jwl_unreacted": _JWL,
     "mie_gruneisen_cold": {"cold_energy": "E_{00}"},

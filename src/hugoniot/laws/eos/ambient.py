@@ -1,4 +1,4 @@
-r"""Equation of state of a material whose Hugoniot was measured from a loaded state: under ambient pressure, or behind a first shock.
+r"""Equation of state of a material whose Hugoniot was measured from a loaded state: after static precompression, or behind a first shock.
 
 Use it where shock data start from an upstream state of density $\rho_0$, pressure $p_a$ and energy $e_a$. The base law has the measured
 Hugoniot, with the upstream density as its reference density:

@@ -11,9 +11,9 @@ $1/\alpha$ of Carroll and Holt the work on the porous material at constant $\alp
 found from this implicit equation by Newton's method in a bracket.
 
 Crushing is irreversible. Below the largest pressure reached, $\alpha$ keeps its value, and the material unloads and reloads elastically
-with the sound speed of its solid, to the density $\rho_s/\alpha$ at zero pressure ($\rho_s$: reference density of the solid). A run keeps
-the compaction $k = (\alpha_0 - \alpha)/(\alpha_0 - 1)$ of every zone. Crushed material obeys the same law with $\alpha_0 - 1$ multiplied
-by $1 - k$ and $p_e$ raised to $p_s - (p_s - p_e)\sqrt{1 - k}$.
+with the sound speed of its solid, to the density $\rho_s/\alpha$ at zero pressure ($\rho_s$: reference density of the solid). A run
+stores the compaction $k = (\alpha_0 - \alpha)/(\alpha_0 - 1)$ of every zone. Crushed material obeys the same law with $\alpha_0 - 1$
+multiplied by $1 - k$ and $p_e$ raised to $p_s - (p_s - p_e)\sqrt{1 - k}$.
 
 The temperature is that of the solid. There is no entropy: with $v = \alpha v_{\text{solid}}$ the solid gains the heat of crushing,
 $T\,ds = -p_{\text{solid}}\,v_{\text{solid}}\,d\alpha/\alpha$, along $de + p\,dv = 0$, so entropy is not a function of density and energy.

@@ -11,7 +11,7 @@ If the material is so hot that its solid alone would fill more than the volume, 
 used.
 
 Compaction is irreversible. Below the largest pressure reached, $\lambda$ keeps its value, and the mixture unloads and reloads
-elastically; a run keeps $\lambda$ of every zone. The two parts exchange no energy in this model: the temperature is that of the solid at
+elastically. A run stores $\lambda$ of every zone. The two parts exchange no energy in this model: the temperature is that of the solid at
 the energy of the mixture. There is no entropy, because compaction dissipates energy along paths that density and energy do not determine.
 
 Source: Grady, Winfree, Kerley, Wilson and Kuhns, J. Phys. IV France 10, Pr9-15 (2000); Grady and Winfree (2001).

@@ -12,7 +12,7 @@ Hugoniot of the law of the solid for the initial density $\rho_{00}$.
 
 Crushing is irreversible. From the ramp the material unloads with the sound speed $c_s$ to the density $\rho_r$, at which the pressure is
 zero ($\rho_{00}$ before any crushing), supports tension below it, and reloads along the same line. Once the pressure of the solid has
-exceeded the ramp, the pores are closed and the law of the solid holds from then on. A run keeps the compaction
+exceeded the ramp, the pores are closed and the law of the solid holds from then on. A run stores the compaction
 $(\rho_r - \rho_{00})/(\rho_s - \rho_{00})$ of every zone, 1 when closed.
 
 The temperature is that of the solid with the same energy, at the density $\rho$ or $\rho_s$, whichever is larger. The law has no entropy,

@@ -17,8 +17,7 @@ Use it for fast burning at hot spots, in which the phases have no time to exchan
 
 **Small burn fractions.** The energy of the products is $e_p = (e - (1-\lambda) e_r)/\lambda$. At small $\lambda$ this magnifies any error
 of $e$. Below the burn fraction `nascent_limit` the isentrope of the reactants is therefore taken through the state of the mixture itself.
-The limit is 1e-6 in tools whose energies are exact to round-off, and larger in a run (1e-3, in `fronts` 1e-4),
-whose energies have errors of about 1e-4 in a shock.
+The limit is 1e-6 in the tools without a mesh, whose energies are exact to round-off, and larger in a run.
 
 **Numerical solution.** The unknown is $w = v_r - v_p$; with $v_r = v + \lambda w$ and $v_p = v - (1-\lambda)w$ the equation for $v$ is
 satisfied identically. While both phases are stable the pressure difference $p_r - p_p$ decreases with $w$, so the root is unique. There its

@@ -8,7 +8,7 @@ $$Y = \left(A + B\,\varepsilon_p^{\,n}\right)\left(1 + C \ln\frac{\dot\varepsilo
 * $C$: `rate_coefficient`; $\dot\varepsilon$: equivalent strain rate; $\dot\varepsilon_0$: `reference_rate`
 * $m$: `thermal_exponent`; $T_r$, $T_m$: `room_temperature`, `melt_temperature`; $T$: temperature of the equation of state
 
-The rate factor is 1 below the reference rate, for which the law was not fitted. The thermal factor is 1 below $T_r$ and 0 above $T_m$.
+The rate factor is set to 1 below the reference rate, where the law was not fitted. The thermal factor is 1 below $T_r$ and 0 above $T_m$.
 The shear modulus stays constant above $T_m$, because the law does not describe it. The equation of state must give a temperature.
 The example is OFHC copper.
 """

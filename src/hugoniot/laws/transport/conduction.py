@@ -56,7 +56,7 @@ def power_law_conductivity(rho, T, mu, cp, par):
 CONDUCTION.add(
     "none", NoConduction, line="No heat conduction.",
     functions={"conductivity": no_conductivity}, example=NoConduction(), units={}, meaning={}, box=_BOX,
-    references=("Jordan 2011, section 7.1: conduction in water is negligible beside the shear stress",),
+    references=("Jordan 2011, section 7.1: conduction is small in the energy balance of shocks in water",),
 )
 CONDUCTION.add(
     "prandtl", PrandtlConduction, line="Thermal conductivity from the Prandtl number.",
@@ -75,7 +75,8 @@ CONDUCTION.add(
     functions={"conductivity": power_law_conductivity},
     example=PowerLawConduction(0.0177, 0.81, 300.0),
     units={"conductivity": "W/m/K", "exponent": "1", "reference_temperature": "K"},
-    meaning={"conductivity": "thermal conductivity at the reference temperature", "exponent": "power of the temperature",
+    meaning={"conductivity": "thermal conductivity at the reference temperature",
+             "exponent": "power of the temperature; the default is that of argon",
              "reference_temperature": "temperature of the given conductivity"},
     defaults={"exponent": 0.81, "reference_temperature": 300.0}, box=_BOX,
     references=("Jordan 2011, section 6.2, power law model", "Bird, Molecular Gas Dynamics (1994), section 4.3"),

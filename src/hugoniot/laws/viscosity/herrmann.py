@@ -7,10 +7,9 @@ $$q = \rho\left\{B_2\,\Delta x\,c\,\frac{\dot\rho}{\rho} + \left[B_1\,\Delta x\,
 * $\rho$: density; $\dot\rho$: its rate of change; $c$: longitudinal sound speed; $\Delta x$: width of the zone
 * $B_1$, $B_2$: `quadratic`, `linear`
 
-The velocity difference across the zone, with its sign reversed, takes the place of $\Delta x\,\dot\rho/\rho$; in planar flow both are
+The velocity difference across the zone, with its sign reversed, takes the place of $\Delta x\,\dot\rho/\rho$; in planar flow the two are
 equal. The law is therefore identical to `landshoff`. The report gives no values of $B_1$ and $B_2$, so the defaults are those of
-`landshoff`.
-"""
+`landshoff`. """
 
 from typing import NamedTuple
 
