@@ -128,7 +128,7 @@ EOS.add(
              "r1": "exponent of the first exponential", "r2": "exponent of the second exponential", "omega": "Grüneisen parameter",
              "rho0": "density of the unreacted explosive", "e0": "detonation energy per volume of unreacted explosive",
              "specific_heat": "specific heat at constant volume, needed for temperatures",
-             "cold_constant": "constant e_3 of the isentrope at zero temperature"},
+             "cold_constant": "coefficient e_3 of (rho0/rho)^-omega in the energy at zero temperature"},
     defaults={"e0": 0.0, "specific_heat": math.nan, "cold_constant": 0.0},
     box={"rho": (20.0, 3000.0), "e": (2.5e6, 2e7)},
     references=("Starkenberg, ARL-TR-2161, appendix A-9 (corrected: S-E10, S-E11)", "Lee and Hornig 1969, as cited there"),

@@ -8,7 +8,7 @@ $$\frac{\sigma_t}{\sigma_s} \ge 1, \qquad \sigma_t = s_1 - p; \qquad
 * $\sigma_s$: spall strength, `strength`
 * $\phi$: volume fraction of voids; $\phi_c$: the fraction at which they coalesce, `coalescence`
 
-Where $\sigma_t$ first reaches $\sigma_s$ the material separates in one plane. Before the release from this plane reaches them, the
+Where $\sigma_t$ first reaches $\sigma_s$ the material separates in one plane. Before the release from this plane arrives, the
 adjoining zones would reach tensions that the material cannot support. Voids grow in them instead, at a tension that falls linearly from
 $\sigma_s$ to zero at $\phi_c$. On compression the voids close at zero longitudinal stress. A zone that contains voids opens no second
 plane.
