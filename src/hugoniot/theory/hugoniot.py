@@ -62,8 +62,8 @@ def curve(material, initial: Initial | None = None, *, points: int = 101, up_to:
     """The Hugoniot from an initial state, evenly spaced in particle velocity from the initial state on.
 
     points   number of states
-    up_to    highest particle velocity, m/s; default: the highest for which the material's data are valid, if known, otherwise the sound
-             speed of the initial state or 90 % of what the equation of state allows
+    up_to    highest particle velocity, m/s; default: the highest for which the material's data are valid, if known, otherwise the smaller
+             of the sound speed of the initial state and 90 % of the particle velocity at which the Hugoniot ends
 
     The other arguments are those of `shock`. Raises OutOfRange for fewer than two points and for an `up_to` that is not positive or is
     beyond the range of the equation of state.
@@ -154,15 +154,18 @@ def residual(material, initial: Initial, states: States):
 def entropy_rise(material, initial: Initial, density: float) -> float:
     r"""Entropy gained in a shock to a given density (kg/m3), J/(kg K), for any equation of state with a temperature.
 
-    It is the integral of T ds along the Hugoniot, with $x = v_0 - v$:
+    It is the integral of $ds$ along the Hugoniot, where with $x = v_0 - v$
 
     $$T\,ds = \tfrac12\left[x\,dp - (p - p_0)\,dx\right]$$
 
-    For shocks without heat of reaction from a state of the equation of state.
+    Raises OutOfRange for a shock that releases heat or runs into empty pores, because its Hugoniot does not begin at the state ahead.
     """
     par = law_of(material)
     if "temperature" not in EOS.of(par).functions:
         raise OutOfRange(f"law '{EOS.of(par).name}' has no temperature, so no entropy follows: give it a specific heat")
+    if initial.heat != 0.0 or distended(par, initial):
+        raise OutOfRange("the entropy is integrated along the Hugoniot from the state ahead, but with a heat of reaction or empty pores "
+                         "the Hugoniot does not begin there")
     nodes, weights = np.polynomial.legendre.leggauss(40)
     end = 1.0 / initial.density - 1.0 / density
     x = 0.5 * end * (nodes + 1.0)

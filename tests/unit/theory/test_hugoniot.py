@@ -139,6 +139,13 @@ def test_entropy_by_quadrature_equals_the_closed_form():
     assert entropy_rise(COPPER, Initial.at_rest(COPPER), state.density) == pytest.approx(state.entropy, rel=1e-9)
 
 
+@pytest.mark.parametrize("ahead", [{"heat": 1e6}, {"density": 7000.0}])
+def test_no_entropy_rise_where_the_hugoniot_does_not_begin_at_the_state_ahead(ahead):
+    """The integral along the Hugoniot would leave out the entropy of the heat itself, or have no path from the pores."""
+    with pytest.raises(OutOfRange, match="does not begin there"):
+        entropy_rise(COPPER, Initial.at_rest(COPPER, **ahead), 9500.0)
+
+
 def test_kb_figure_point():
     """K-1: p = 3.401e12 Pa, up = 3e4 m/s, rho0 = 2700: the Rayleigh line's slope is rho0 Us, 4.199e4 m/s."""
     us = 3.401e12 / (2700.0 * 3.0e4)
