@@ -15,7 +15,7 @@ from hugoniot.theory.exact import SOLUTIONS, describe, parameter_unit
 from hugoniot.theory.exact.kenamond import kenamond
 
 TARGET = Path(__file__).parent / "generated" / "tools"
-# page: (title, modules whose equations it shows, module whose functions it lists, commands)
+# page: (title, modules whose equations it shows, modules whose functions it lists, commands)
 TOOLS = {
     "states": ("States", ("theory.states",), "theory.states", ("eos show", "eos table")),
     "hugoniots": ("Hugoniots", ("theory.jump", "theory.hugoniot"), "theory.hugoniot", ("eos hugoniot", "eos show --at")),
@@ -33,7 +33,8 @@ TOOLS = {
     "shock_lines": ("Rayleigh and Fanno lines", ("theory.shock_lines",), "theory.shock_lines", ("eos lines",)),
     "gurney": ("Metal driven by explosives", ("theory.exact.plate_push",), "theory.exact.plate_push", ("eos gurney",)),
     "fits": ("Fits", ("theory.fits",), "theory.fits", ("eos fit", "eos fit-jwl", "eos fit-gamma")),
-    "stability": ("Stability of detonations", ("theory.stability", "theory.normal_modes"), "theory.stability", ("eos stability",)),
+    "stability": ("Stability of detonations", ("theory.stability", "theory.normal_modes"), "theory.stability theory.normal_modes",
+                  ("eos stability",)),
     "sesame": ("SESAME tables", ("materials.sesame", "materials.table_repair"), "materials.sesame", ("eos sesame",)),
     "converters": ("Conversion to Herrmann's series", ("laws.eos.converters",), "laws.eos.converters", ("eos convert",)),
 }
@@ -75,9 +76,11 @@ PURPOSES = {
     "converters": "Conversion of Hugoniot fits and elastic constants to the coefficients of Herrmann's series, the law `herrmann_series`, "
                   "and of a linear Us-up relation to the law `wilkins_cubic`.",
 }
-# public functions of the tools that serve other modules only
+# public functions of the tools that serve other modules only, and those that have a page of their own
 FOR_DEVELOPERS = {"states.has", "states.evaluate", "isentrope.expansion_to", "isentrope.grid", "isentrope.elastic", "fits.read_columns",
-                  "znd.zone_of", "sesame.looks_like"}
+                  "znd.zone_of", "sesame.looks_like", "impedance.first_jump", "mixture.unburned_row", "stability.nearest",
+                  "stability.growing", "plate_push.plate_push"}
+MEMBERS_FOR_DEVELOPERS = {"table", "mixed", "perturbation"}
 MATERIALS = (' As material the functions accept one from the library, such as `hugoniot.materials.library.find("copper")`, or the '
              'parameters of an equation of state.')
 INITIAL = " The class `Initial`, for the state ahead of a shock, is in `hugoniot.theory.upstream`."
@@ -95,6 +98,7 @@ TITLES = {
     "woodward_colella": "Interacting blast waves",
 }
 EQUATIONS_ELSEWHERE = {"mixtures": "The equations are given under [mixtures](../../theory/mixtures.md)."}
+FUNCTIONS_ELSEWHERE = {"gurney": "The motion of the end-on plate is the [exact solution `plate_push`](exact/plate_push.md)."}
 CALLS = """On the command line a parameter is written `name=value`, with a unit where it has one. The command prints the numbers named
 above, and with `--time T` also the fields at the time `T`. [Exact solutions](../../../theory/exact_solutions.md) describes the options.
 
@@ -181,8 +185,23 @@ def cited(sources: list[str]) -> list[str]:
 
 def call(key: str, function) -> str:
     """Name and parameters of a function with their defaults; their types and units stand in its docstring."""
-    bare = [p.replace(annotation=inspect.Parameter.empty) for p in inspect.signature(function).parameters.values()]
-    return key + str(inspect.Signature(bare))
+    bare = [p.replace(annotation=inspect.Parameter.empty) for p in inspect.signature(function).parameters.values() if p.name != "self"]
+    return key + re.sub(r"<function (\w+) at \w+>", r"\1", str(inspect.Signature(bare)))
+
+
+def members(cls: type) -> list[str]:
+    """Properties and methods of a class that its docstring does not name, each with the first paragraph of its own docstring."""
+    lines = []
+    for key, value in vars(cls).items():
+        read = getattr(value, "fget", None) or getattr(value, "func", None)      # property, cached_property
+        called = inspect.isfunction(value) and (not key.startswith("_") or key == "__call__")
+        named = re.search("Called" if key == "__call__" else rf"`{key}`|(?m:^ *[\w, ]*\b{key}\b[\w, ]*   )", cls.__doc__ or "")
+        if not (called or (read and not key.startswith("_"))) or named or key in MEMBERS_FOR_DEVELOPERS:
+            continue
+        meaning = " ".join(inspect.cleandoc((read or value).__doc__ or "").partition("\n\n")[0].split())
+        shown_as = key if read else call("" if key == "__call__" else key, value)
+        lines.append(f"* {'called with ' if key == '__call__' else ''}`{shown_as}`: {meaning}")
+    return ["Properties and methods:", "", *lines, ""] if lines else []
 
 
 def functions(name: str) -> list[str]:
@@ -192,14 +211,15 @@ def functions(name: str) -> list[str]:
     taken = {word for value in mine for word in inspect.signature(value).parameters}
     material = MATERIALS if name.startswith("theory.") and taken & {"material", "layers"} else ""
     initial = INITIAL if "initial" in taken and "layers" not in taken else ""
-    lines = ["## Functions", "", f"From `hugoniot.{name}`.{material}{initial}", ""]
+    lines = [f"From `hugoniot.{name}`.{material}{initial}", ""]
     for key, value in vars(home).items():
         own = callable(value) and getattr(value, "__module__", "") == home.__name__
         if not own or key.startswith("_") or f"{short}.{key}" in FOR_DEVELOPERS:
             continue
         kept = words(value.__doc__)
         if inspect.isclass(value):
-            lines += [f"### {key}", "", kept, ""]
+            made = [] if hasattr(value, "__dataclass_fields__") or hasattr(value, "_fields") else ["```python", call(key, value), "```", ""]
+            lines += [f"### {key}", "", *made, kept, "", *members(value)]
             continue
         lines += [f"### {key}", "", "```python", call(key, value), "```", "", kept, ""]
     return lines
@@ -213,7 +233,9 @@ def tool(key: str) -> str:
                   "under [tools without a mesh](../../theory/eos_tools.md).", ""]
     found, sources = equations(shown)
     lines += ["## Equations", "", *([EQUATIONS_ELSEWHERE[key], ""] if key in EQUATIONS_ELSEWHERE else []), *found]
-    page = "\n".join(explained([*lines, *functions(home), *cited(sources)], "../../theory/source_errors.md"))
+    listed = ["## Functions", "", *(line for name in home.split() for line in functions(name))]
+    listed += [FUNCTIONS_ELSEWHERE[key], ""] if key in FUNCTIONS_ELSEWHERE else []
+    page = "\n".join(explained([*lines, *listed, *cited(sources)], "../../theory/source_errors.md"))
     return re.sub(r"\n{3,}", "\n\n", page)
 
 
@@ -235,7 +257,7 @@ def parameters(function, skip: tuple[str, ...] = ()) -> list[str]:
             unit = "degree" if name.endswith("_degrees") else parameter_unit(name.rpartition(".")[2])
             unit = "" if isinstance(value, str | bool) else unit
             rows.append(f"| `{name}` | {unit} | {default} | {meaning.get(name, '')} |")
-    return ["| parameter | unit | default | meaning |", "|---|---|---|---|", *rows, ""] if rows else ["It has no parameters.", ""]
+    return ["| parameter | unit | default | meaning |", "|---|---|---|---|", *rows, ""] if rows else ["It takes no parameters.", ""]
 
 
 def shown(value) -> str:

@@ -47,7 +47,7 @@ class Detonation:
 
     @property
     def detonation_velocity(self) -> float:
-        """m/s, relative to the explosive ahead."""
+        """Detonation velocity relative to the explosive ahead, m/s."""
         return self.state.shock_velocity - self.initial.velocity
 
     @property

@@ -194,6 +194,7 @@ class JwlFit:
     par         its parameters
     c           coefficient C of its principal isentrope, Pa
     deviation   root mean square deviation of ln p from the curve
+    count       number of fitted points
     at_bounds   exponents that ended at a bound of the search
     """
 
@@ -205,7 +206,7 @@ class JwlFit:
 
     @property
     def isentrope(self) -> JWLIsentrope:
-        """The fitted curve."""
+        """The principal isentrope of the fit; its method `pressure(V)` gives the pressure, Pa, at relative volumes."""
         return JWLIsentrope.of(self.par, self.c)
 
 

@@ -78,7 +78,12 @@ def match(layers: Sequence, velocity: float, *, initial: Sequence[States] | None
 
 
 def first_jump(layer: int, velocity: float, met: Sequence[Match]) -> float:
-    """The change of the particle velocity (m/s) in the first shock that passes through a layer, 0 for the flyer of that velocity (m/s)."""
+    """The change of the particle velocity, m/s, in the first shock through a layer of a stack.
+
+    layer      number of the layer; 0 is the flyer
+    velocity   velocity of the flyer, m/s
+    met        result of `match`
+    """
     return velocity - met[0].left.particle_velocity if layer == 0 else met[layer - 1].right.particle_velocity
 
 

@@ -30,11 +30,20 @@ COMPILE_ABOVE = 200  # states
 
 @dataclass(frozen=True)
 class MixtureState:
-    """Solved states of a mixture: every field an array of one shape, SI. The energies of the phases include Q for the reactants.
+    """Solved states of a mixture: every field is an array of one shape.
 
-    pressure_by_volume, pressure_by_energy, pressure_by_burn_fraction   derivatives of p(v, e, burn fraction)
-    status                                                              0 where the search converged
-    Products that have no state, before any burning, have not-a-number for density and energy, as has the derivative by burn fraction.
+    density, energy                     of the mixture, kg/m3 and J/kg with Q
+    burn_fraction                       mass fraction of the products
+    pressure                            Pa
+    reactant_density, reactant_energy   kg/m3, and J/kg with Q
+    product_density, product_energy     kg/m3 and J/kg
+    pressure_by_volume                  derivative of p(v, e, burn fraction), Pa kg/m3
+    pressure_by_energy                  derivative, Pa kg/J
+    pressure_by_burn_fraction           derivative, Pa
+    status                              0 where the search converged
+    par                                 parameters of the mixture
+
+    At burn fraction 0 the products may have no state. Their density and energy are then NaN, and so is pressure_by_burn_fraction.
     """
 
     par: Any
@@ -53,7 +62,7 @@ class MixtureState:
 
     @property
     def impedance_squared(self):
-        """i^2 = p p_e - p_v, (kg/m2/s)^2."""
+        """Square of the acoustic impedance, rho^2 c^2 = p p_e - p_v, (kg/m2/s)^2."""
         return self.pressure * self.pressure_by_energy - self.pressure_by_volume
 
     @property
@@ -63,18 +72,18 @@ class MixtureState:
 
     @property
     def gruneisen(self):
-        """Gamma = v p_e."""
+        """Grüneisen parameter v p_e."""
         return self.pressure_by_energy / self.density
 
     @property
     def adiabatic_exponent(self):
-        """gamma = i^2 v / p."""
+        """Adiabatic exponent rho c^2/p."""
         with np.errstate(divide="ignore"):      # without pressure
             return self.impedance_squared / (self.density * self.pressure)
 
     @property
     def volume_fraction(self):
-        """Volume fraction of the products, eta = lambda v_p / v."""
+        """Volume fraction of the products."""
         return np.where(self.burn_fraction > 0.0, self.burn_fraction * self.density / self.product_density, 0.0)
 
     def mixed(self, index=()) -> Mixed:
@@ -93,13 +102,14 @@ class MixtureState:
 
     @property
     def temperature(self):
-        """K: the products' (isolation), the common one (equilibrium), the mean by mass (weighted pressures); OutOfRange without one."""
+        """Temperature, K: of the products (thermal_isolation), common (thermal_equilibrium) or the mean by mass (weighted_pressures).
+        OutOfRange if the closure or an equation of state has none."""
         self._require_temperature()
         return self._each(contract.mixture_temperature)
 
     @property
     def specific_heat(self):
-        """C_v = de/dT at constant volume and burn fraction, J/(kg K); OutOfRange where closure or laws have none."""
+        """Specific heat at constant volume and burn fraction, J/(kg K); OutOfRange if the closure or an equation of state has none."""
         if "specific_heat" not in MIXTURE.of(self.par).functions:
             raise OutOfRange(f"mixtures of kind '{MIXTURE.of(self.par).name}' have no specific heat: use thermal_isolation or "
                              "thermal_equilibrium")
@@ -120,7 +130,8 @@ class MixtureState:
         return {**found, **{name: getattr(self, name) for name in names}}
 
     def phase_slopes(self) -> contract.PhaseSlopes:
-        """The twelve derivatives of v_r, e_r, v_p, e_p with respect to v, e and burn fraction (> 0), arrays of the state's shape."""
+        """Derivatives of the volumes and energies v_r, e_r, v_p, e_p of reactants and products by v, e and burn fraction: a tuple of twelve
+        arrays such as v_r_e (v_r by e; the last letter is v, e or l, the burn fraction). OutOfRange at burn fraction 0."""
         if np.any(self.burn_fraction <= 0.0):
             raise OutOfRange("the derivatives of the products' state with respect to volume and energy are infinite at burn fraction 0: "
                              "give a positive one, or use vanishing_series")
@@ -175,7 +186,7 @@ def _solve_plainly(rows, par, out) -> None:
 
 
 def unburned_row(rho: float, e: float, par) -> tuple[float, ...]:
-    """The fields of a `MixtureState` from its pressure on, of reactants alone; not-a-number for what is of the products."""
+    """The fields of a `MixtureState`, beginning with pressure, for the reactants alone; NaN in the fields of the products."""
     e_r = e - par.detonation_energy
     p, (p_v, p_e) = float(eos.pressure(rho, e_r, par.reactants)), contract.volume_slopes(rho, e_r, par.reactants)
     status = contract.CONVERGED if p * p_e - p_v > 0.0 else contract.UNSTABLE
@@ -236,7 +247,12 @@ def _temperature_slope(state: MixtureState, reference) -> float:
 
 @dataclass(frozen=True)
 class VanishingSeries:
-    """Taylor coefficients in the burn fraction, x = x[0] + x[1] lambda + x[2] lambda^2: volumes in m3/kg, energies in J/kg (with Q)."""
+    """Coefficients of series in the burn fraction lambda, a[0] + a[1] lambda + a[2] lambda^2 for the reactants and a[0] + a[1] lambda for
+    the products.
+
+    v_r, v_p   specific volumes of reactants and products, m3/kg
+    e_r, e_p   their energies, J/kg; that of the reactants with Q
+    """
 
     v_r: tuple[float, float, float]
     e_r: tuple[float, float, float]
@@ -319,7 +335,14 @@ def hugoniot_volume(pressure: float, rho_u: float, e_u: float, p_u: float, par) 
 
 @dataclass(frozen=True)
 class FrozenHugoniot:
-    """Shocked mixtures at given pressures, without reaction in the shock: arrays, SI; energies with Q."""
+    """Shocked mixtures at given pressures, without reaction in the shock: every field is an array.
+
+    pressure                            Pa
+    density, energy                     of the mixture, kg/m3 and J/kg with Q
+    reactant_density, reactant_energy   kg/m3, and J/kg with Q
+    product_density, product_energy     kg/m3 and J/kg; NaN for products that have no state ahead
+    particle_velocity, shock_velocity   relative to the state ahead, m/s
+    """
 
     pressure: np.ndarray
     density: np.ndarray
@@ -341,7 +364,7 @@ class FrozenHugoniot:
 def frozen_hugoniot(upstream: MixtureState, pressures) -> FrozenHugoniot:
     """Shocks in a mixture without reaction: each phase on its own Hugoniot, from the state ahead to the same pressures (Pa).
 
-    Velocities are relative to the state ahead. Raises NoSolution beyond a limit of compression.
+    Returns a `FrozenHugoniot`. Raises NoSolution beyond a limit of compression.
     """
     par, u = upstream.par, upstream.mixed()
     lam, q, v_u = float(upstream.burn_fraction), upstream.par.detonation_energy, 1.0 / float(upstream.density)

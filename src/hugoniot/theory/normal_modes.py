@@ -1,8 +1,9 @@
 r"""Normal modes of a plane detonation for any law, any mixture and any rate: small disturbances of the reaction zone of `theory.znd`.
 
 **Any equation of state, mixture and rate.** The fields are functions of the burn fraction $\lambda$ and time, so that a rate that begins
-suddenly or as a power of the burn fraction causes no discontinuity. With $r = d\lambda/dt$ and $X = \partial x/\partial\lambda$, in the
-frame of the front, where the material runs towards $-x$, a particle has $D/Dt = \partial_t + r\,\partial_\lambda$ and
+suddenly or as a power of the burn fraction causes no discontinuity. The material runs towards $-x$: $x$ is the distance from the displaced
+front, and the velocity $u$ is in the frame of the steady front. With $r = d\lambda/dt$, $X = \partial x/\partial\lambda$ and the derivative
+$D/Dt = \partial_t + r\,\partial_\lambda$ along the path of a particle,
 
 $$\frac{D\rho}{Dt} = -\frac{\rho u_\lambda}X,\quad \frac{Du}{Dt} = -\frac{p_\lambda}{\rho X},\quad
   \frac{Dp}{Dt} = -\rho c^2\frac{u_\lambda}X + \left(\frac{\partial p}{\partial\lambda}\right)_{v,e} r,\quad
@@ -48,11 +49,15 @@ _FOURTH = ((-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 
 
 
 class ModesOfZone:
-    """The modes of the reaction zone of an explosive: `material`, `initial`, burn law `rate` and `overdrive` as for `theory.znd.znd`.
+    """The steady reaction zone of any explosive; its method `modes()` gives the growing modes.
 
-    overdrive   f = (D/D_CJ)^2, at least 1.0005
-    velocity, length, time   D, m/s; the half-reaction length, m; that length over D, s, the unit of modes
-    Raises `OutOfRange` and `NoSolution` as `znd` does, and for a rate that vanishes where nothing has burned.
+    material, initial, rate   as for `theory.znd.znd`, with the parameters of a burn law as `rate`
+    overdrive                 (D/D_CJ)^2, at least 1.0005
+    panel                     length of the integration panels in -ln(1 - lambda)
+
+    The attributes `velocity` (D, m/s), `length` (half-reaction length, m) and `time` (s) give the scales: growth rates and frequencies are
+    in units of 1/`time`, with `time` = `length`/D. Raises OutOfRange and NoSolution as `znd` does, and OutOfRange for a rate that is zero
+    where nothing has burned.
     """
 
     def __init__(self, material, initial: Initial, rate: Any, overdrive: float, panel: float = PANEL):
@@ -201,7 +206,7 @@ class ModesOfZone:
 
     # -- modes -------------------------------------------------------------------------------------------------------
     def residual(self, alpha: complex) -> complex:
-        """Acoustic wave from the end of the zone to the front, per perturbation of its velocity; zero for a mode (alpha in 1/`time`)."""
+        """Amplitude of the acoustic wave from the end of the zone towards the front, relative to alpha psi; zero for a mode."""
         y = self.perturbation(alpha)
         return complex(y[2] + self._impedance * y[1]) * cmath.exp(alpha * self._run)
 
@@ -226,11 +231,11 @@ class ModesOfZone:
         return y
 
     def mode(self, guess: complex) -> Mode:
-        """The mode nearest a guess, by the secant method; `NoSolution` where it wanders off."""
+        """The mode nearest to a guess of alpha, by the secant method; NoSolution where it diverges."""
         return nearest(self.residual, guess)
 
     def modes(self, highest: float = 3.0, spacing: float = 0.25) -> list[Mode]:
-        """The growing modes with frequencies up to `highest`, fastest first; searched from guesses that far apart in frequency."""
+        """The growing modes with frequencies up to `highest`, fastest growth first; the guesses lie `spacing` apart in frequency."""
         return growing(self.residual, highest, spacing)
 
 

@@ -8,8 +8,9 @@ $$u = u_0 + d\,\sqrt{(p - p_0)(v_0 - v_H)} \;(\text{shock}), \qquad u = u_0 + d\
 * index 0: the initial state of the side; $v = 1/\rho$; $v_H(p)$: specific volume on the Hugoniot of the side
 * $d$: $-1$ on the left side, $+1$ on the right; the integral is along the isentrope
 
-The pressure is the one at which both sides have the same velocity. If there is none, a vacuum or a gap opens. A porous material is released
-elastically, with the compaction that its loading has produced.
+The pressure is the one at which both sides have the same velocity. If the two materials, released to zero pressure, move apart, a vacuum
+opens between them, unless they are bonded and the contact supports tension. A porous material is released elastically, with the compaction
+that its loading has produced.
 
 Implementation: `theory.jump` and `theory.expansion` compute both curves without an approximate solver; the pressure is found by Newton's
 method inside a bracket, with slopes d/(rho c) on the fan and the differentiated jump conditions on the shock.
@@ -58,7 +59,8 @@ class Riemann:
     pressure, velocity   at the contact, Pa and m/s; with a vacuum 0 and NaN
     vacuum               whether the materials have separated
 
-    Called with positions x and a time t it returns density, pressure, velocity and specific internal energy there.
+    Called with positions x (from the initial interface, m) and a time t (s) it returns a dict of the fields density, pressure, velocity and
+    energy (specific internal) in SI, and side: -1 in the material on the left, +1 in that on the right, 0 in a vacuum.
     """
 
     left: Wave
@@ -115,7 +117,8 @@ def riemann(left, left_state: States, right, right_state: States, *, bonded: boo
     left_state, right_state   single states, such as `state` returns
     bonded                    True: the contact supports tension; False: the materials separate under tension
 
-    Returns a `Riemann`. Raises `OutOfRange` if a state is outside the range of a law, and `NoSolution` if the curves do not meet.
+    Returns a `Riemann`. Raises `OutOfRange` if a state is outside the range of a law, such as a tension that a bonded material does
+    not support, and `NoSolution` if the search for the pressure does not converge.
 
     >>> found = riemann(copper, state(copper, velocity=500.0), water, state(water))
     >>> found.pressure, found.velocity     # Pa, m/s

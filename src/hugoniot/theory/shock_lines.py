@@ -28,10 +28,13 @@ WIDEST = 1e12     # J/kg: how far the energy of a Fanno state is searched
 
 @dataclass(frozen=True)
 class ShockLines:
-    """Pressure (Pa) and energy (J/kg) on both lines, and pressure on the Hugoniot, at the same densities (kg/m3).
+    """Both lines and the Hugoniot at the same densities.
 
-    The densities run from the state ahead to beyond the shocked state (attribute `behind`), to 1.1 times the change of specific volume
-    across the shock.
+    initial, behind                      states ahead of the shock and behind it
+    density                              kg/m3, from the state ahead to 1.1 times the change of specific volume across the shock
+    rayleigh_pressure, fanno_pressure    Pa
+    hugoniot_pressure                    Pa
+    rayleigh_energy, fanno_energy        J/kg
     """
 
     initial: Initial

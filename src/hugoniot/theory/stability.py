@@ -3,8 +3,8 @@ r"""Normal modes of a plane detonation: how fast a small disturbance of the ZND 
 **Ideal gas.** A gas of constant $\gamma$ burns in one step at the rate $r = k(1-\lambda)e^{-E\rho/p}$, with the burn fraction $\lambda$,
 and releases the heat $q$ per mass. Units: $\rho = p = 1$ ahead of the wave; the activation energy $E$ and $q$ are in units of the pressure
 divided by the density ahead, lengths in half-reaction lengths, which fixes $k$. The front is displaced by $\psi = \epsilon e^{\alpha t}$
-with a small $\epsilon$. The perturbation $w'$ of the state $w = (\rho, u, p, \lambda)$ in the frame of the front, per unit of the
-perturbation $\alpha\psi$ of the front's velocity, obeys
+with a small $\epsilon$. Let $x$ be the distance from the displaced front, $u$ the velocity in the frame of the steady front, and $w'$ the
+perturbation of the state $w = (\rho, u, p, \lambda)$ at given $x$, per unit of the perturbation $\alpha\psi$ of the front's velocity. Then
 
 $$A\,w'_x = w^*_x - \alpha w' - \left(\frac{\partial A}{\partial w}w'\right)w^*_x + \frac{\partial R}{\partial w}w'$$
 
@@ -38,9 +38,10 @@ CLOSEST = 1.0005     # overdrive from which the tail is no longer sonic to the a
 class Mode:
     """A mode of the disturbed wave.
 
-    growth      growth rate, real part of alpha: in units of the velocity sqrt(p/rho) ahead per half-reaction length
+    growth      growth rate, real part of alpha; for a `Wave` in units of the velocity sqrt(p/rho) ahead per half-reaction length, for
+                `ModesOfZone` in units of the detonation velocity per half-reaction length
     frequency   imaginary part of alpha, in the same unit
-    residual    what is left of the condition at the end of the zone
+    residual    absolute value of the residual at alpha, zero for an exact mode
     """
 
     growth: float
@@ -50,7 +51,7 @@ class Mode:
 
 @dataclass(frozen=True)
 class Wave:
-    """A one-step detonation of an ideal gas.
+    """A one-step detonation of an ideal gas; its method `modes()` gives the growing modes.
 
     gamma        ratio of specific heats
     heat         heat release q, in units of p/rho ahead
@@ -73,12 +74,12 @@ class Wave:
 
     @cached_property
     def velocity(self) -> float:
-        """Velocity of the front: sqrt(f) D_CJ."""
+        """Velocity of the front, sqrt(overdrive) D_CJ, in units of sqrt(p/rho) ahead."""
         a = 0.5 * (self.gamma**2 - 1.0) * self.heat / self.gamma
         return math.sqrt(self.overdrive * self.gamma) * (math.sqrt(1.0 + a) + math.sqrt(a))
 
     def state(self, burned: float) -> tuple[float, float, float]:
-        """(density, velocity, pressure) where a fraction has burned; the material moves towards -x through the front at rest."""
+        """(density, velocity, pressure) of the steady wave where a fraction has burned, in the frame of the front."""
         g, d2 = self.gamma, self.velocity**2
         # momentum and energy through the front: a quadratic for the specific volume, subsonic branch
         root = math.sqrt(max((d2 - g) ** 2 - 2.0 * (g * g - 1.0) * burned * self.heat * d2, 0.0))
@@ -87,7 +88,7 @@ class Wave:
 
     @cached_property
     def rate_constant(self) -> float:
-        """k that makes half the material burn within a unit of length."""
+        """The constant k of the rate, with which half the material burns within a unit of length."""
         def pace(burned):
             rho, u, p = self.state(burned)
             return -u / ((1.0 - burned) * math.exp(-self.activation * rho / p))
@@ -102,7 +103,7 @@ class Wave:
         return np.array([-v_d / v**2, 1.0 - v - d * v_d, 2.0 * d * (1.0 - v) - d * d * v_d, 0.0])
 
     def residual(self, alpha: complex) -> complex:
-        """Amplitude of the acoustic wave from the end of the zone towards the front, per perturbation of its velocity; zero for a mode."""
+        """Amplitude of the acoustic wave from the end of the zone towards the front, relative to alpha psi; zero for a mode."""
         start = np.append(self._shock_slopes, 0.0).astype(complex)
         # with s = -ln(1 - lambda) the zone has a finite length and the rate no small denominator
         found = solve_ivp(self._slope, (0.0, -math.log(END)), start, args=(complex(alpha),), method="DOP853", rtol=1e-10, atol=1e-12)
@@ -141,11 +142,11 @@ class Wave:
 
     # -- modes -------------------------------------------------------------------------------------------------------
     def mode(self, guess: complex) -> Mode:
-        """The mode nearest a guess, by the secant method; `NoSolution` where it wanders off."""
+        """The mode nearest to a guess of alpha, by the secant method; NoSolution where it diverges."""
         return nearest(self.residual, guess)
 
     def modes(self, highest: float = 3.0, spacing: float = 0.25) -> list[Mode]:
-        """The growing modes with frequencies up to `highest`, fastest first; searched from guesses that far apart in frequency."""
+        """The growing modes with frequencies up to `highest`, fastest growth first; the guesses lie `spacing` apart in frequency."""
         return growing(self.residual, highest, spacing)
 
 
@@ -172,7 +173,7 @@ def nearest(residual: Callable[[complex], complex], guess: complex) -> Mode:
 
 
 def growing(residual: Callable[[complex], complex], highest: float, spacing: float) -> list[Mode]:
-    """The growing modes, fastest first.
+    """The growing modes, fastest growth first.
 
     residual   function of alpha that vanishes for a mode
     highest    highest frequency of the search
@@ -195,7 +196,7 @@ def neutral_activation(gamma: float, heat: float, overdrive: float, low: float, 
     """The activation energy between `low` and `high` at which a mode neither grows nor decays.
 
     gamma, heat, overdrive   as in `Wave`
-    guess                    alpha at which the search of the mode begins
+    guess                    alpha at which the search for the mode begins
     tolerance                accuracy of the activation energy
 
     Returns a `Mode` whose `growth` is this activation energy and whose `frequency` is that of the neutral mode.

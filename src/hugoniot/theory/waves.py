@@ -35,7 +35,7 @@ class Cell:
 
 @dataclass
 class Front:
-    """A front: kind (shock, fan, contact within a layer, interface or surface), position x (m) at the current time, velocity (m/s)."""
+    """A front: kind (shock, fan, contact within a layer, interface or surface), position x (m) at the last time, and velocity (m/s)."""
 
     kind: str
     x: float
@@ -45,7 +45,13 @@ class Front:
 
 @dataclass(frozen=True)
 class Event:
-    """An interaction of fronts: time (s), position (m), the kinds that met, and the states on both sides afterwards (None: empty)."""
+    """An interaction of fronts.
+
+    time, position   s and m
+    met              kinds of the fronts that met
+    layers           numbers of the layers on both sides; -1 in a gap or outside
+    left, right      states on both sides afterwards; None: no material
+    """
 
     time: float
     position: float

@@ -66,7 +66,7 @@ class Structure:
 
     @property
     def overdrive(self) -> float:
-        """f = (D / D_CJ)^2."""
+        """(D/D_CJ)^2."""
         return (self.velocity / self.chapman_jouguet_velocity) ** 2
 
     def table(self) -> dict:

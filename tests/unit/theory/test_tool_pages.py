@@ -38,6 +38,17 @@ def test_a_page_shows_equations_and_functions(pages):
         assert "hugoniot." not in "".join(re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL)), key
 
 
+def test_a_page_shows_the_members_of_its_classes(pages):
+    stability = pages.tool("stability")
+    assert "* `modes(highest=3.0, spacing=0.25)`: " in stability and "ModesOfZone(material, initial, rate, overdrive, panel=0.5)" in stability
+    assert "* `detonation_velocity`: " in pages.tool("chapman_jouguet") and "* `band(up)`: " in pages.tool("fits")
+
+
+def test_no_signature_shows_an_address(pages):
+    assert "solve=match)" in pages.tool("uncertainty")
+    assert " at 0x" not in "".join(map(pages.tool, pages.TOOLS))
+
+
 def test_every_exact_solution_has_its_parameters_with_units(pages):
     text = pages.exact("theory.exact.noh", ["noh"])
     assert "## hugoniot exact noh" in text and "| `speed` | m/s | `1.0` |" in text and "$$" in text
