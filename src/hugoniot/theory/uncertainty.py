@@ -3,8 +3,8 @@ r"""Error bars of any result from the errors of its inputs.
 **Linear propagation**: the variance of a result $y$ is $\sigma_y^2 = J C J^T$ with the covariance matrix $C$ of the inputs and the row
 $J$ of derivatives of $y$ with respect to them. They are central differences over half a standard deviation on either side.
 
-**Monte Carlo**: the inputs are normal samples with the same covariance, and the 16th, 50th and 84th percentiles of the result are given.
-Use it for results that are far from linear in the inputs.
+**Monte Carlo**: the inputs are normal samples with the same covariance. The standard deviation and the 16th and 84th percentiles of the
+results are given. Use it for results that are far from linear in the inputs.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -23,7 +23,7 @@ class Spread:
 
     value       result at the nominal parameters
     sigma       standard deviation
-    low, high   16th and 84th percentiles
+    low, high   value - sigma and value + sigma; with Monte Carlo the 16th and 84th percentiles
     shares      fraction of the variance due to each parameter alone (linear propagation only)
     """
 
@@ -48,12 +48,13 @@ def vary(material, **values: float):
 def matched(layers: Sequence, answers: Sequence[str], solve: Callable[..., Sequence[Match]] = match) -> Callable[..., dict[str, float]]:
     """An impedance match as a function for `propagate`.
 
-    layers    flyer first, then the targets, as in `match`
+    layers    materials of the library: flyer first, then the targets, as in `match`
     answers   names of fields of `States` that are returned, such as pressure
-    solve     solve(layers, velocity) -> the states, `match` or a ring-up
+    solve     a function (layers, velocity) that returns a list of `Match`: `match`, or `ring_up` with a fixed layer
 
-    The function takes the velocity of the flyer (m/s) and parameters named MATERIAL.parameter, which apply to all layers of that
-    material. It returns the fields on the right of the interface in each of the states, under names such as "0.pressure".
+    The function returned takes the velocity of the flyer as `velocity` (m/s) and parameters named MATERIAL.parameter, which apply to all
+    layers of that material. It returns the fields on the right of the interface in each `Match`, under names such as "0.pressure", in which
+    the number counts the list of `Match`.
     """
     def answer(**given: float) -> dict[str, float]:
         own = [{k.rpartition(".")[2]: v for k, v in given.items() if k.rpartition(".")[0] == m.name} for m in layers]
