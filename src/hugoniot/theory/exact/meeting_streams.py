@@ -2,8 +2,8 @@
 
 It tests a two-dimensional solver in oblique shocks, fans and slip lines, and gives the deflection of streams of real materials.
 
-One stream flows along x below the origin, the other above it at an angle to x. From the point where they meet a shock or a centred fan
-runs into each stream. A slip line lies between the two waves, with the same pressure and flow direction on both sides. The pressure is
+One stream flows along x below the origin, the other above it at an angle to x. They meet at the origin, from which a shock or a centred
+fan runs into each stream. A slip line lies between the two waves, with the same pressure and flow direction on both sides. The pressure is
 found where the shock polars, continued by the fans, intersect. The state depends on the angle about the origin alone; it is given along
 the line x = `station`.
 
@@ -23,7 +23,7 @@ from hugoniot.theory.shock_polar import Meeting, Stream, meeting
 
 
 class Inflow(NamedTuple):
-    """A stream: material (a name of the library), Mach number, pressure (Pa), density (kg/m^3; 0: the law's at rest)."""
+    """A stream: material (a name of the library), Mach number, pressure (Pa), density (kg/m^3; 0: the reference density)."""
 
     material: str = "air"
     mach: float = 3.0
@@ -41,15 +41,17 @@ def meeting_streams(below: Inflow = BELOW, above: Inflow = ABOVE, angle_degrees:
     below.material, above.material   name of the library material of the stream
     below.mach, above.mach           Mach number of the stream, above 1
     below.pressure, above.pressure   pressure of the stream
-    below.density, above.density     density of the stream; 0: from its pressure and the reference density or energy of the material
+    below.density, above.density     density of the stream, from which with the pressure its energy follows; 0: the reference density of
+                                     the material
     angle_degrees                    direction of the upper stream from x; negative: towards the lower stream
     station                          x of the line along which the fields are given
 
     Positions are y along that line. The solution does not depend on time. Of two possible shocks the weak one is taken.
 
     Fields: density, pressure, energy, axial_velocity (along x), transverse_velocity (along y).
-    Numbers: slip_pressure, slip_angle, and for each stream (prefixes below_ and above_) head, tail and deflection: the angles at which its
-    wave begins and ends, and by which it turns the flow. Angles are in degrees from x.
+    Numbers: slip_pressure and slip_angle, and for each stream (prefixes below_ and above_) head and tail, where its wave begins and ends
+    (equal for a shock), and deflection, by which the wave turns the stream. All angles are in degrees, positive anticlockwise. The
+    deflection is measured from the direction of the undisturbed stream, the others from x.
     """
     angle = math.radians(angle_degrees)
     found = meeting(_stream(below), _stream(above), angle)
