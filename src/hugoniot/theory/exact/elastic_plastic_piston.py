@@ -1,6 +1,7 @@
 r"""A piston driven at constant speed into an elastic-perfectly plastic solid: the exact elastic precursor and plastic shock.
 
-It tests the strength of a solver: the Hugoniot elastic limit, the two-wave structure, and the single shock of a slow or a very fast piston.
+It tests how a solver treats strength: the Hugoniot elastic limit, the two-wave structure, and the single shock of a slow or a very fast
+piston.
 
 The pressure is of Mie-Grüneisen form on the Hugoniot $U_s = c_0 + s u_p$. With $\epsilon = 1-\rho_0/\rho$,
 
@@ -39,7 +40,7 @@ from hugoniot.theory.exact.solution import Solution
 
 
 class Solid(NamedTuple):
-    """Constants of the solid, SI: rho0, bulk c0, slope s, gamma0, shear modulus, yield stress; which Grüneisen law."""
+    """Constants of the solid, SI, as described under `elastic_plastic_piston`."""
 
     rho0: float
     c0: float
@@ -169,15 +170,27 @@ EXACTPACK = Solid(2790.0, 5330.0, 1.34, 2.0, 28.6e9, 0.26e9)
 
 
 def aluminium_piston() -> Solution:
-    """Aluminium driven by a piston at 400 m/s: precursor and plastic shock."""
+    """Aluminium driven by a piston at 400 m/s: precursor and plastic shock.
+
+    Hypoelastic, with rho0 = 2785 kg/m3, c0 = 5328 m/s, s = 1.338, gamma0 = 2, a shear modulus of 27.6 GPa and a yield stress of 0.3 GPa;
+    density times Grüneisen parameter is constant.
+    """
     return elastic_plastic_piston(ALUMINIUM, 400.0)
 
 
 def copper_piston() -> Solution:
-    """Copper driven by a piston at 20 m/s: precursor and plastic shock."""
+    """Copper driven by a piston at 20 m/s: precursor and plastic shock.
+
+    Hypoelastic, with rho0 = 8930 kg/m3, c0 = 3940 m/s, s = 1.49, gamma0 = 2, a shear modulus of 45 GPa and a yield stress of 0.09 GPa;
+    density times Grüneisen parameter is constant.
+    """
     return elastic_plastic_piston(COPPER, 20.0)
 
 
 def udaykumar_piston() -> Solution:
-    """Aluminium driven by a piston at 100 m/s, hypoelastic, with the constants of ExactPack's ep_piston."""
+    """Aluminium driven by a piston at 100 m/s, with the constants of ExactPack's ep_piston.
+
+    Hypoelastic, with rho0 = 2790 kg/m3, c0 = 5330 m/s, s = 1.34, gamma0 = 2, a shear modulus of 28.6 GPa and a yield stress of 0.26 GPa;
+    density times Grüneisen parameter is constant.
+    """
     return elastic_plastic_piston(EXACTPACK, 100.0)

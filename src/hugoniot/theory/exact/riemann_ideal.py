@@ -156,26 +156,42 @@ def riemann_ideal(left: Side, right: Side, x0: float = 0.0, title: str = "Rieman
 
 
 def sod() -> Solution:
-    """Sod's shock tube: gamma 1.4 on 0 < x < 1, diaphragm at 0.5."""
+    """Sod's shock tube: gamma 1.4 on 0 < x < 1, diaphragm at 0.5.
+
+    Both sides are at rest. Left: density 1, pressure 1. Right: density 0.125, pressure 0.1.
+    """
     return riemann_ideal(Side(1.0, 0.0, 1.0), Side(0.125, 0.0, 0.1), 0.5, "Sod shock tube")
 
 
 def leblanc() -> Solution:
-    """LeBlanc's shock tube: gamma 5/3 on 0 < x < 9, diaphragm at 3, specific energies that differ by a factor of a million."""
+    """LeBlanc's shock tube: gamma 5/3 on 0 < x < 9, diaphragm at 3, specific energies that differ by a factor of a million.
+
+    Both sides are at rest. Left: density 1, specific internal energy 0.1. Right: density 0.001, specific internal energy 1e-7.
+    """
     g = 5.0 / 3.0
     return riemann_ideal(Side(1.0, 0.0, (g - 1.0) * 0.1, g), Side(1e-3, 0.0, (g - 1.0) * 1e-10, g), 3.0, "LeBlanc shock tube")
 
 
 def two_rarefactions() -> Solution:
-    """The "123" problem: two rarefactions that leave almost a vacuum, gamma 1.4 on 0 < x < 1, initial contact at 0.5."""
+    """The "123" problem: two rarefactions that leave almost a vacuum, gamma 1.4 on 0 < x < 1, initial contact at 0.5.
+
+    Both sides have density 1 and pressure 0.4; the velocity is -2 on the left and 2 on the right.
+    """
     return riemann_ideal(Side(1.0, -2.0, 0.4), Side(1.0, 2.0, 0.4), 0.5, "123 problem")
 
 
 def collision() -> Solution:
-    """Two gas streams that collide and produce two shocks: gamma 1.4 on 0 < x < 1, initial contact at 0.5."""
+    """Two gas streams that collide and produce two shocks: gamma 1.4 on 0 < x < 1, initial contact at 0.5.
+
+    Left: density 5.99924, velocity 19.5975, pressure 460.894. Right: density 5.99242, velocity -6.19633, pressure 46.0950.
+    """
     return riemann_ideal(Side(5.99924, 19.5975, 460.894), Side(5.99242, -6.19633, 46.0950), 0.5, "colliding streams")
 
 
 def water_gas() -> Solution:
-    """Compressed stiffened liquid (1 GPa) against a gas (0.1 MPa) on 0 < x < 1, initial contact at 0.7."""
+    """Compressed stiffened liquid (1 GPa) against a gas (0.1 MPa) on 0 < x < 1 m, initial contact at 0.7 m.
+
+    Both sides are at rest. Left: density 1000 kg/m3, pressure 1 GPa, gamma 4.4, stiffness pressure 600 MPa. Right: density 50 kg/m3,
+    pressure 0.1 MPa, gamma 1.4, no stiffness pressure.
+    """
     return riemann_ideal(Side(1000.0, 0.0, 1e9, 4.4, 6e8), Side(50.0, 0.0, 1e5), 0.7, "liquid-gas shock tube")

@@ -1,6 +1,6 @@
 r"""A shell of incompressible, rigid-perfectly plastic material that flies inwards and stops when its kinetic energy is spent.
 
-It tests the plastic work of a solver in convergent flow: the radius at which the shell stops.
+It tests the plastic work that a solver computes in convergent flow: the radius at which the shell stops.
 
 The shell lies between the radii $a(t)$ and $b(t)$, in cylindrical geometry ($d = 2$, plane strain) or spherical geometry ($d = 3$), and
 flows as $u = -C(t)/r^{d-1}$. Its kinetic energy $T$ and the power $\dot W$ of plastic work are
@@ -49,8 +49,8 @@ def shell_stopping(geometry: str = "spherical", density: float = 1845.0, yield_s
     speed          inward speed of the inner surface at time 0
 
     Fields: density, velocity; not a number (NaN) outside the shell. Numbers: stop_radius and stop_outer_radius (of the stopped shell, m),
-    stop_time (s), kinetic_energy (at time 0, J per metre of the cylinder or J of the sphere). A shell that reaches the axis has no
-    solution.
+    stop_time (s), kinetic_energy (at time 0, J per metre of the cylinder or J of the sphere). A shell that reaches the axis or
+    the centre has no solution.
     """
     if geometry not in ("cylindrical", "spherical") or not 0.0 < inner < outer or min(density, yield_stress, speed) <= 0.0:
         raise OutOfRange("a stopping shell is cylindrical or spherical, with 0 < inner < outer and positive density, yield stress, speed")
@@ -94,10 +94,16 @@ def shell_stopping(geometry: str = "spherical", density: float = 1845.0, yield_s
 
 
 def howell_ball() -> Solution:
-    """Cylindrical beryllium shell that stops at an inner radius of 5 cm (Howell & Ball)."""
+    """Cylindrical beryllium shell that stops at an inner radius of 5 cm (Howell & Ball).
+
+    It is shell_stopping in cylindrical geometry with a speed of 417.1 m/s; the other values are the defaults.
+    """
     return shell_stopping("cylindrical", speed=417.1)
 
 
 def verney() -> Solution:
-    """Spherical beryllium shell that stops at an inner radius of 3 cm (Verney)."""
+    """Spherical beryllium shell that stops at an inner radius of 3 cm (Verney).
+
+    It is shell_stopping with the default values.
+    """
     return shell_stopping("spherical", speed=675.036)
