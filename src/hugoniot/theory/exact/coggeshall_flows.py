@@ -1,8 +1,8 @@
 r"""Coggeshall's adiabatic flows of an ideal gas in one dimension without shocks: every radius stays in proportion to the size of the body.
 
-They test a solver in smooth expansion and compression, where any heating is an error. In each, the density or the entropy is a power of the
-radius with a free exponent $b$, `slope`. The numbers of the problems are Coggeshall's; $d$ = 1, 2, 3 in planar, cylindrical and spherical
-geometry.
+They test a solver in smooth expansion and compression, where any rise of the entropy is an error. In each, the density or the entropy is a
+power of the radius with a free exponent $b$, `slope`. The numbers of the problems are Coggeshall's; $d$ = 1, 2, 3 in planar, cylindrical
+and spherical geometry.
 
 * Problem 1, coasting: $u = r/t$, $\rho = \rho_0r^bt^{-b-d}$, $e = e_0r^{-b}t^{b-(\gamma-1)d}$. The pressure is uniform, so nothing
   accelerates.

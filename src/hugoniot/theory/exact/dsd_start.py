@@ -30,7 +30,7 @@ POINTS = 64
 
 def dsd_rate_stick_start(geometry: str = "cylindrical", detonation_velocity: float = 8000.0, curvature_length: float = 1e-3,
                          radius: float = 0.02, edge_angle_degrees: float = 40.0) -> Solution:
-    """Detonation shock dynamics: the front of a rate stick lit as a plane at z = 0, until it is steady.
+    """Detonation shock dynamics: the front of a rate stick lit simultaneously over the plane z = 0, until it is steady.
 
     geometry              cylindrical (a stick) or planar (a slab)
     detonation_velocity   velocity D of a plane front

@@ -112,7 +112,7 @@ def kenamond() -> dict[str, object]:
 
         hugoniot exact kenamond problem=2 --at "0, 4 m; 3 m, 2 m"
 
-    In Python `kenamond()` returns the functions of the three problems under the keys "1", "2" and "3".
-    Each takes an array of points and the parameters of its problem.
+    In Python `SOLUTIONS["kenamond"]()` of `hugoniot.theory.exact` returns the functions of the three problems under the keys "1", "2" and
+    "3". Each takes an array of points and the parameters of its problem.
     """
     return {"1": single, "2": nested, "3": obstacle}

@@ -9,7 +9,7 @@ $$u = \frac{2}{\gamma+1}\left(\frac xt - \frac D2\right), \qquad c = \frac D2 + 
   \frac{\rho}{\rho_{CJ}} = \left(\frac{c}{c_{CJ}}\right)^{2/(\gamma-1)}$$
 
 until $u$ equals the speed $U$ of the piston, at $x = (\tfrac D2 + \tfrac{\gamma+1}{2}U)\,t$; from there to the piston the state is
-uniform. Behind a wall ($U = 0$) the uniform region reaches half-way to the front.
+uniform. With a wall ($U = 0$) the uniform region extends half-way to the front.
 
 * $D$: `detonation_velocity`; $\rho_0$: `density`, before the detonation arrives; $\gamma$: `gamma`; $U$: `piston`
 

@@ -12,9 +12,9 @@ $$\rho_2 = \rho_0\left(1 + \frac UD\right)^d, \quad p_2 - p_1 = \rho_1(D + U)U, 
 * $p$, $e$: pressure and specific internal energy, with the index 1 ahead of the shock and 2 behind it
 * $d$: 1 planar, 2 cylindrical, 3 spherical
 
-The four conditions are one equation for $D$. In planar flow the inflow may have any pressure, so the solution holds for every material.
-In cylindrical and spherical flow the converging inflow must stay without pressure, which holds only for equations of state without
-pressure at zero energy, such as the ideal gas. Other materials are not supported there.
+The four conditions reduce to one equation for $D$. In planar flow the inflow may have any pressure, so the solution holds for every
+material. In cylindrical and spherical flow the converging inflow must stay without pressure, which holds only for equations of state
+without pressure at zero energy, such as the ideal gas. Other materials are not supported there.
 
 Source: Noh, J. Comput. Phys. 72 (1987) 78; Ramsey, Boyd and Burnett, Shock Waves 27 (2017) 477 for general laws; derived for this project.
 """

@@ -11,8 +11,10 @@ $$ct = \left(a - 2\kappa/t\right)^{-1/2},\quad \frac xt = D - \frac1\kappa\left[
 $$\frac{v_\infty}{D} = 1 - \frac{27M}{16C}\left(\sqrt{1 + \frac{32C}{27M}} - 1\right)$$
 
 where $c$ is the sound speed of the products at the plate and $v_\infty$ the final velocity. The solution takes $u + c$ as unchanged
-across the reflected shock, which violates the conservation of momentum and energy there. With both conserved the plate is 0.5 % faster at
-M/C = 0.1 and 1.0 % faster at M/C = 5; with products $p = K\rho^3$, $K$ constant, it is 0.25 and 1.3 % slower.
+across the shock reflected from the plate, which violates the conservation of momentum and energy there. If the shock conserves mass,
+momentum and energy, the plate is at late times 0.5 % faster than here at M/C = 0.1 and 1.0 % faster at M/C = 5. If it conserves only mass
+and momentum, and the products keep $p = K\rho^3$ with the same $K$ behind it (no rise of the entropy), the plate is 0.25 % slower than
+here at M/C = 0.1 and 1.3 % slower at M/C = 5.
 
 **Gurney's formulas** assume a velocity of the products linear in the position and a uniform energy release $E$ per mass of explosive. The
 velocity $v$ of the metal is

@@ -56,7 +56,7 @@ def passages(gamma: float, piston: float, length: float, density: float, count: 
 
 
 def saltzman(gamma: float = 5.0 / 3.0, piston: float = 1.0, length: float = 1.0, density: float = 1.0, reflections: int = 6) -> Solution:
-    """Piston at constant speed from x = 0 into cold gas up to a wall, with every reflection of the shock.
+    """Piston driven at constant speed from x = 0 into cold gas that extends to a wall: the shock and its successive reflections.
 
     gamma         ratio of specific heats, above 1
     piston        speed of the piston

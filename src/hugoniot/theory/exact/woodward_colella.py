@@ -41,6 +41,7 @@ def woodward_colella() -> Reference:
     """Interacting blast waves: reference values at time 0.038.
 
     Numbers: time, contacts (positions of two contacts), spike (position of the density peak), right_shock and its uncertainty, and the
-    density at some positions. No profiles are given.
+    density at some positions. No profiles are given. In Python `SOLUTIONS["woodward_colella"]()` of `hugoniot.theory.exact` returns the
+    numbers as a named tuple.
     """
     return REFERENCE
