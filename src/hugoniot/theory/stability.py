@@ -56,7 +56,7 @@ class Wave:
     gamma        ratio of specific heats
     heat         heat release q, in units of p/rho ahead
     activation   activation energy E, in units of p/rho ahead
-    overdrive    (D/D_CJ)^2, above 1
+    overdrive    (D/D_CJ)^2, at least 1.0005
     """
 
     gamma: float
