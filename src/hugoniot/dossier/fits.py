@@ -42,43 +42,43 @@ IRON = {"up_min": 1540.0, "porosity_below": 1.01}
 MAGNESIA = "Periclase MgO (single crystal)"
 # row id of the recorded fit -> (selection, degree)
 RECORDED = {
-    "U202": (Selection("Copper", words="shock states of Marsh except 3 from free surfaces"), 1),
-    "U203": (Selection("Copper", words="shock states of Marsh except 3 from free surfaces"), 2),
+    "U202": (Selection("Copper", words="shock states of Marsh except 3 from free-surface velocities"), 1),
+    "U203": (Selection("Copper", words="shock states of Marsh except 3 from free-surface velocities"), 2),
     "U204": (Selection("Water", words="all shock states of Marsh"), 1),
     "U205": (Selection("Water", words="all shock states of Marsh"), 2),
     "U206": (Selection("Iron", source=MARSH, up_max=3200.0, words=f"{DENSE}, Marsh only", **IRON), 1),
-    "U207": (Selection("Iron", up_max=5000.0, words=f"{DENSE}, to 5 km/s", **IRON), 1),
+    "U207": (Selection("Iron", up_max=5000.0, words=f"{DENSE}, up below 5 km/s", **IRON), 1),
     "U208": (Selection("Iron", source=MARSH, up_max=3200.0, words=f"{DENSE}, Marsh only", **IRON), 2),
-    "U209": (Selection("Iron", up_max=10000.0, words=f"{DENSE}, to 10 km/s", **IRON), 2),
-    "U210": (Selection("Water", up_max=2600.0, words="states of Marsh to 2.6 km/s"), 1),
-    "U211": (Selection("Basalt, Vacaville (rho 2860)", up_min=2000.0, words="states above 2 km/s"), 1),
+    "U209": (Selection("Iron", up_max=10000.0, words=f"{DENSE}, up below 10 km/s", **IRON), 2),
+    "U210": (Selection("Water", up_max=2600.0, words="states of Marsh at up below 2.6 km/s"), 1),
+    "U211": (Selection("Basalt, Vacaville (rho 2860)", up_min=2000.0, words="states at up above 2 km/s"), 1),
     "U212": (Selection("Fused silica", words="all states"), 1),
-    "U213": (Selection("Forsterite Mg2SiO4", words="all states"), 1),
-    "U214": (Selection("Olivine (San Carlos)", words="all states"), 1),
+    "U213": (Selection("Forsterite Mg2SiO4", words="all states of forsterite"), 1),
+    "U214": (Selection("Olivine (San Carlos)", words="all states of San Carlos olivine"), 1),
     "U218": (Selection("Nickel", words="all shock states of Marsh"), 1),
     "U219": (Selection("Argon (liquid)", words="all shock states of Marsh"), 2),
     "U220": (Selection("Pyrolusite MnO2", words="all shock states of Marsh"), 1),
-    "U221": (Selection("Serpentine", up_min=2200.0, words="states of Marsh above 2.2 km/s"), 1),
-    "U222": (Selection("Toluene", up_max=2900.0, words="states of Marsh to 2.9 km/s"), 1),
+    "U221": (Selection("Serpentine", up_min=2200.0, words="states of Marsh at up above 2.2 km/s"), 1),
+    "U222": (Selection("Toluene", up_max=2900.0, words="states of Marsh at up below 2.9 km/s"), 1),
     "U223": (Selection("Beryllium", words="all shock states of Marsh"), 1),
-    "U224": (Selection("Beryllium S-200", words="states from a gas gun to 6 km/s"), 1),
-    "U225": (Selection("Bismuth", up_min=1300.0, words="states above 1.3 km/s"), 1),
-    "U226": (Selection("Germanium", up_min=1500.0, words="states above 1.5 km/s"), 1),
+    "U224": (Selection("Beryllium S-200", words="states from a gas gun"), 1),
+    "U225": (Selection("Bismuth", up_min=1300.0, words="states at up above 1.3 km/s"), 1),
+    "U226": (Selection("Germanium", up_min=1500.0, words="states at up above 1.5 km/s"), 1),
     "U227": (Selection("KCl", up_min=1300.0, words="states above the transition"), 1),
-    "U228": (Selection(MAGNESIA, up_max=5500.0, words="states to 5.5 km/s"), 1),
+    "U228": (Selection(MAGNESIA, up_max=5500.0, words="states at up below 5.5 km/s"), 1),
     "U229": (Selection(MAGNESIA, words="all states except one in doubt"), 1),
     "U230": (Selection("Sodium", words="all states"), 1),
     "U231": (Selection("NiAl", words="all states"), 1),
     "U232": (Selection("PMMA", up_min=500.0, up_max=2600.0, words="states with up from 0.5 to 2.6 km/s"), 1),
     "U233": (Selection("PMMA", up_min=2600.0, up_max=8000.0, words="states with up from 2.6 to 8 km/s"), 1),
-    "U234": (Selection("PMMA", up_min=2600.0, words="states above 2.6 km/s"), 2),
+    "U234": (Selection("PMMA", up_min=2600.0, words="states at up above 2.6 km/s"), 2),
     "U235": (Selection("Lead", words="all shock states of Marsh"), 1),
     "U236": (Selection("Platinum", words="all shock states"), 1),
-    "U237": (Selection("SiC", up_min=1600.0, words="states of Marsh above 1.6 km/s"), 1),
+    "U237": (Selection("SiC", up_min=1600.0, words="states of Marsh at up above 1.6 km/s"), 1),
     "U238": (Selection("Tin", words="all shock states of Marsh"), 1),
     "U239": (Selection("Vanadium", words="all shock states"), 2),
-    "U240": (Selection("Polystyrene", words="states from laser-driven shocks above 7 km/s"), 1),
-    "U261": (Selection("Tungsten", up_max=4000.0, words="states of the rusbank database to 4 km/s"), 1),
+    "U240": (Selection("Polystyrene", words="states from laser-driven shocks"), 1),
+    "U261": (Selection("Tungsten", up_max=4000.0, words="states of the rusbank database at up below 4 km/s"), 1),
     "U262": (Selection("Tungsten", words="all shock states that the rusbank database lists"), 2),
     "U263": (Selection("Tantalum", words="all shock states that the rusbank database lists"), 1),
     "U264": (Selection("Stainless steel 304", words="all shock states that the rusbank database lists"), 1),
@@ -89,10 +89,10 @@ RECORDED = {
 _COPPER, _BERYLLIUM, _NICKEL, _LEAD = (RECORDED[i][0] for i in ("U202", "U223", "U218", "U235"))
 _TIN, _PLATINUM, _WATER, _IRON = (RECORDED[i][0] for i in ("U238", "U236", "U210", "U206"))
 _PMMA = Selection("PMMA", up_min=500.0, up_max=5500.0, words="states with up from 0.5 to 5.5 km/s")
-_VANADIUM = Selection("Vanadium", up_max=5000.0, words="states to 5 km/s")
+_VANADIUM = Selection("Vanadium", up_max=5000.0, words="states at up below 5 km/s")
 _TUNGSTEN, _STEEL, _ALUMINUM = (RECORDED[i][0] for i in ("U261", "U264", "U267"))
-_TANTALUM = Selection("Tantalum", up_max=2300.0, words="states to 2.3 km/s")
-_LIF = Selection("LiF", up_max=4000.0, words="states to 4 km/s")
+_TANTALUM = Selection("Tantalum", up_max=2300.0, words="states at up below 2.3 km/s")
+_LIF = Selection("LiF", up_max=4000.0, words="states at up below 4 km/s")
 # rows that were fitted elsewhere -> the states of the same material at the same density that they are compared with
 STATES = {
     "U007": _COPPER, "U058": _COPPER, "U189": _COPPER, "U194": _COPPER, "U110": _WATER, "U178": _WATER, "U179": _WATER,
@@ -101,11 +101,11 @@ STATES = {
     "U185": _LEAD, "U020": _PLATINUM, "U075": _PLATINUM, "U167": _PLATINUM, "U031": _TIN, "U102": _TIN, "U192": _TIN,
     "U258": Selection("Platinum", source="Morgan", words="states of Morgan"),
     "U040": _VANADIUM, "U065": _VANADIUM, "U047": _PMMA, "U169": _PMMA,
-    "U084": Selection("PMMA", up_max=3000.0, words="states to 3 km/s"),
-    "U147": Selection("PMMA", up_max=17000.0, words="states to 17 km/s"),
+    "U084": Selection("PMMA", up_max=3000.0, words="states at up below 3 km/s"),
+    "U147": Selection("PMMA", up_max=17000.0, words="states at up below 17 km/s"),
     "U076": RECORDED["U237"][0], "U125": RECORDED["U228"][0], "U159": RECORDED["U229"][0], "U098": RECORDED["U230"][0],
-    "U091": Selection("Bismuth", up_max=2500.0, words="states to 2.5 km/s"),
-    "U105": Selection("KCl", up_min=1300.0, up_max=5000.0, words="states above the transition, to 5 km/s"),
+    "U091": Selection("Bismuth", up_max=2500.0, words="states at up below 2.5 km/s"),
+    "U105": Selection("KCl", up_min=1300.0, up_max=5000.0, words="states above the transition, at up below 5 km/s"),
     "U149": RECORDED["U212"][0], "U150": RECORDED["U212"][0], "U034": _TUNGSTEN, "U070": _TUNGSTEN, "U177": _TUNGSTEN,
     "U027": _TANTALUM, "U067": _TANTALUM, "U174": _TANTALUM, "U145": RECORDED["U263"][0], "U193": RECORDED["U263"][0],
     "U024": _STEEL, "U078": _STEEL, "U143": _STEEL, "U156": _STEEL, "U180": _STEEL, "U190": _STEEL,
