@@ -27,7 +27,7 @@ def reach(material: Material) -> str:
         return "a range of particle velocity does not apply to gases and detonation products"
     if material.valid_up_to is None:
         end = range_of_validity(material)
-        return f"not stated; a run gives a warning only above an estimated limit, a particle velocity of {rounded(end.up)}, {end.why}"
+        return f"not stated; a run warns only above a particle velocity of {rounded(end.up)}, {end.why}"
     found = f"particle velocity up to {format_si(material.valid_up_to, 'm/s')}"
     source = _range_source(material)
     if source is None:

@@ -49,7 +49,7 @@ def range_of(material: Material) -> Range:
     """Where the data of a material end: as stated, else as estimated from its law."""
     if material.valid_up_to is not None:
         return Range(material.valid_up_to, "", True)
-    ends = [(IONISED, "a rough limit for all materials, above which their atoms are ionised")]
+    ends = [(IONISED, "an estimate for all materials: above roughly this velocity atoms are ionised")]
     if material.burn is None and not flagged(material.eos, "gas"):
         with contextlib.suppress(HugoniotError, ArithmeticError, ValueError):      # a law that cannot be asked there
             ends += _ends(material.eos)
@@ -90,14 +90,14 @@ def about_shock(material: Material, jump: float = 0.0) -> list[str]:
 
 
 def _ends(par) -> list[tuple[float, str]]:
-    found = [(particle_velocity_limit(par), "where the fitted Hugoniot of the law ends")]
+    found = [(particle_velocity_limit(par), "above which the Hugoniot fit describes no shock")]
     if not is_condensed(par):
         return found
     rho0 = reference_state(par)[0]
     low, high = rho0, min(COMPRESSED * rho0, density_limits(par)[1] * (1.0 - 1e-9))
     p = _hugoniot(high, par)
     if p < math.inf and high == COMPRESSED * rho0 and rho0 > LIGHTEST:
-        found.append((_velocity(high, p, par), f"above which the law gives a compression of more than {COMPRESSED:g} in one shock"))
+        found.append((_velocity(high, p, par), f"above which the law gives a density of more than {COMPRESSED:g} rho0 in one shock"))
     if p > HIGHEST:
         rho = _root(lambda rho: min(_hugoniot(rho, par), 1e3 * HIGHEST) - HIGHEST, low, high)
         found.append((_velocity(rho, HIGHEST, par), f"above which the pressure of a shock exceeds {HIGHEST * 1e-12:g} TPa"))

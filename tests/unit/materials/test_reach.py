@@ -29,13 +29,13 @@ zones = 10
 def test_a_range_names_what_stands_behind_it():
     assert reach(library.find("nickel")).startswith("particle velocity up to 2145 m/s (compared with 18 measured states of the library at particle velocities from 470 m/s to 2145 m/s:")
     assert "stated by the source of row U244" in reach(library.find("U244")) and "14 m/s" in reach(library.find("U244"))
-    assert "standard of impedance matches" in reach(library.find("aluminum_2024"))
+    assert "standard in Marsh's impedance-matching experiments" in reach(library.find("aluminum_2024"))
     assert range_of(schema.row("U247")).startswith("2200 m/s to 4700 m/s")
 
 
 def test_a_range_that_nobody_states_is_told_as_unknown():
     for name in ("gold", "molybdenum", "M001"):
-        assert library.find(name).valid_up_to is None and reach(library.find(name)).startswith("not stated; a run gives a warning only above an estimated limit, a particle velocity of 15000 m/s, a rough limit for all materials, above which their atoms are ionised")
+        assert library.find(name).valid_up_to is None and reach(library.find(name)).startswith("not stated; a run warns only above a particle velocity of 15000 m/s, an estimate for all materials: above roughly this velocity atoms are ionised")
     assert range_of(schema.row("U008")) == "not known"
     assert "does not apply" in reach(library.find("air")) and "does not apply" in reach(library.find("tnt"))
 
