@@ -19,7 +19,7 @@ _CORRECTED = re.compile(r"\bcorrected: [\w ]+ \((corrected: [^)]*)\)")
 def mark(status: str, note: str = "") -> str:
     """The word a surface shows beside a constant: empty for a verified one without doubt."""
     doubt = "doubtful" if "DOUBT" in note else "sources disagree" if "DISAGREES" in note else ""
-    said = _FOUND.match(note) if status == "derived" else _CORRECTED.search(note) if status == "corrected" else None
+    said = _FOUND.match(note) if status in ("derived", "recalled") else _CORRECTED.search(note) if status == "corrected" else None
     found = said.group(1) if said else MARKS.get(status, "")
     return ", ".join(m for m in (found, doubt) if m)
 

@@ -32,6 +32,7 @@ TABLES = {
 _PROVENANCE = ("id", "material", "source", "via", "status", "note")
 _OF_STATES = ("up_min", "up_max", "us_deviation")
 _CORRECTED = re.compile(r"corrected: (\w+(?: and \w+)*)")
+_ASSUMED = re.compile(r"\brho0:?(?: \d+)? assumed")
 _CELL = re.compile(r"([A-Z]\d{3})\.([a-z][a-z0-9_]*)")
 
 
@@ -63,11 +64,15 @@ class Row:
         source, via, status = self.source, self.via, self.status
         if name.startswith("recorded_") and status != "recalled":
             status = "derived"
+        elif name == "rho0" and _ASSUMED.search(self.note):
+            source, via, status = "density assumed by hugoniot, because the public file does not give that of this set", "", "derived"
         elif name in _OF_STATES and (found := self.range_from()):
             source, via, status = found, "us_up_points.csv" if "states" in self else "", "derived"
         elif status == "corrected" and (said := _CORRECTED.match(self.note)) and name not in said.group(1).split(" and "):
             status = "verified"      # of a row whose note names what was corrected, the other constants stand as in the file
         found = self._found(name) if status == "derived" else ""
+        if name.startswith("recorded_") and status == "recalled":
+            found = f"computed from constants {UNVERIFIED}"
         return Source(quantity or name, self.values[name], self.units[name], source, via, status,
                       "; ".join(t for t in (f"row {self.id}" + (f": {found}" if found else ""), self.note) if t))
 
@@ -76,7 +81,7 @@ class Row:
         if self.table == "ignition_growth":
             return self._calibrated(name)
         if self.table != "us_up":
-            return ""
+            return "assumed" if name == "rho0" and _ASSUMED.search(self.note) else ""
         if name in _OF_STATES:
             return "highest of the states compared" if name == "up_max" and "states" in self else ""
         if name == "rho0":
