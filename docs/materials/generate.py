@@ -21,13 +21,18 @@ from hugoniot.plotting.materials import compare_figure
 matplotlib.use("Agg")
 HERE = Path(__file__).parent
 TARGET = HERE.parent / "generated" / "materials"
+INVERSE = re.compile(r"1/\(?([A-Za-z]+)(?:\^([yz]))?(?: ([A-Za-z]+)\))?")     # a unit such as 1/s or 1/(Pa^y s)
 SCALES = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m³"), "1/Pa": (1e-9, "1/GPa"), "kg/m^3": (1.0, "kg/m³"), "1": (1.0, ""),
           "J/kg/K": (1.0, "J/(kg K)")}
-RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
-RATE = ("These belong to the variant `material = \"{name} reactive\"`, which replaces the programmed burn by ignition and growth. In the "
-        "units, y and z are the constants with these names.")
-ROWS = "These rows of the library are for the same material or a similar one{used}. {use}"
-FILE = "\"The file\" is the public file from which a row was taken; `hugoniot material show {example}` names it."
+RAISED = str.maketrans("0123456789yz", "⁰¹²³⁴⁵⁶⁷⁸⁹ʸᶻ")
+RATE = ("These belong to the variant `material = \"{name} reactive\"`, which replaces the programmed burn by ignition and growth "
+        "and has the equations of state of its own set (`hugoniot material show \"{name} reactive\"` prints them). In the "
+        "units, {powers}.")
+ROWS = "These rows of the library are for the same material or a similar one (column *material*){used}. {use}"
+FILE = ("\"The file\" beside a row is the public file from which the row was taken: `hugoniot material show {example}` names that of "
+        "{example}.")
+LACKS = "Where an entry says that the library has no data, it means none for this material."
+UNNAMED = re.compile(r"\b[Tt]he file\b(?! [\w-]+\.\w)")     # "the file" without its name
 
 
 def number(value, unit: str, count: int = 0) -> str:
@@ -39,6 +44,8 @@ def number(value, unit: str, count: int = 0) -> str:
         scale, name = 1e6, "MJ/kg"
     if unit == "Pa" and abs(value) < 1e6:
         scale, name = 1e3, "kPa"
+    if match := INVERSE.fullmatch(name):
+        name = f"{match[1]}⁻{(match[2] or '1').translate(RAISED)}" + (f" {match[3]}⁻¹" if match[3] else "")
     text = digits(value / scale, count) if count == 4 else f"{value / scale:.{count or 6}g}"
     return f"{powers(text)} {name}".rstrip()
 
@@ -80,7 +87,8 @@ def page(about: dict, picture: tuple[str, bool] | None) -> str:
                   "one standard deviation.", "", *(f"* {sentence(line)}" for line in about["fits"]), ""]
     lines += ["## Why these constants", "", *(f"* **{GROUPS[family].capitalize()}.** {sentence(reason)}"
                                               for family, reason in about["reasons"].items()), ""]
-    lines += ["## Limitations", "", *(f"* {sentence(text)}" for text in about["missing"]), ""]
+    lines += ["## Limitations", "", *([LACKS, ""] if any("The library has no" in text for text in about["missing"]) else []),
+              *(f"* {sentence(text)}" for text in about["missing"]), ""]
     if about["notes"]:
         lines += ["## Remarks", "", *(f"* {sentence(text)}" for text in about["notes"]), ""]
     return "\n".join(lines + _others(about))
@@ -110,6 +118,8 @@ def caption(about: dict, dashed: bool) -> str:
     what = "this material" if "cj_velocity" not in about["derived"] else "the unreacted explosive"
     several = any(o["row"][0] in "UT" for o in about["others"])
     text = f"Hugoniots of {what} and of other rows of the library (see below)" if several else f"Hugoniot of {what}"
+    if solid := rows_used([c for c in about["constants"] if c["quantity"].startswith("eos.base.")]):
+        text = f"Hugoniots of {what} and of its solid (row {solid[0]})"
     if measured(about["name"]):
         text += ", with the measured states of the library"
     return text + ("; a curve is thin and dashed outside the range of its data, where that is known." if dashed else ".")
@@ -123,8 +133,8 @@ def _first(about: dict) -> list[str]:
              f"In a deck, write `material = \"{about['name']}\"`.{also}", ""]
     rows = rows_used(about["constants"])
     if rows:
-        lines += [f"The constants come from row{'s' if rows[1:] else ''} {listing(rows)} of the library. A *row* is one published set of "
-                  f"constants; `hugoniot material show {rows[0]}` prints row {rows[0]} with its source.", ""]
+        lines += [f"The constants come from row{'s' if rows[1:] else ''} {listing(rows)} of the library. A *row* is one set of constants, "
+                  f"published or fitted by hugoniot; `hugoniot material show {rows[0]}` prints row {rows[0]} with its source.", ""]
     lines += ["The material is described by these laws:", ""]
     for family, law in about["laws"].items():
         folder = "eos" if family == "unreacted" else family
@@ -161,25 +171,41 @@ def _constants(about: dict) -> list[str]:
     for group, members in grouped(constants).items():
         lines += [f"### {GROUPS[group].capitalize()}", ""]
         if group == "rate":
-            lines += [RATE.format(name=about["name"]), ""]
+            lines += [RATE.format(name=about["name"], powers=_exponents(constants, members)), ""]
         if group == "unreacted" and (said := _starts(constants)):
             lines += [said, ""]
         if group == "detonation":
             lines += [_detonation(constants, members), ""]
         rows = []
-        for c, mark in ((constants[k], marks[k]) for k in members):
+        for c, mark in ((constants[k], marks[k]) for k in members if not _idle(constants[k], constants)):
             few = 5 if c["status"] == "derived" or c["unit"] == "J/kg/K" else 0     # a specific heat per volume was divided by the density
             name, value = c["quantity"].removeprefix(f"{group}."), number(c["value"], c["unit"], few)
+            if group == "rate" and name == "g2" and c["value"] == 0.0:
+                value = "0"
             rows.append((f"`{name}`", cell(about["meanings"].get(c["quantity"], "")), value, mark, c["mark"]))
         lines += table(["name", "meaning", "value", "source", "remark"], rows)
     if sources:
         lines += ["### Sources", "", "Where a public file is named, the numbers were taken from that file, not from the publication that "
                   "it cites ([provenance](../../materials/provenance.md)).", ""]
-        if any("he file" in source for source, _ in sources):
+        if any(UNNAMED.search(source) for source, _ in sources):
             lines[-2] += " \"The file\" in a source is the file from which its numbers were taken."
         lines += [f"{k}. {sentence(source)}" + (f" {sentence(where_read(via))}" if via else "")
                   for k, (source, via) in enumerate(sources, 1)] + [""]
     return lines
+
+
+def _idle(constant: dict, constants: list[dict]) -> bool:
+    """Whether a constant is the default temperature of an equation of state that computes no temperatures."""
+    place, _, name = constant["quantity"].rpartition(".")
+    return name == "reference_temperature" and constant["status"] == "default" and \
+        not any(c["quantity"] == f"{place}.specific_heat" for c in constants)
+
+
+def _exponents(constants: list[dict], members: list[int]) -> str:
+    """What the exponents in the units of a rate are."""
+    stated = {constants[k]["quantity"].removeprefix("rate.") for k in members}
+    return "y and z are the constants with these names" if "z" in stated else \
+        "y is the constant with this name; with G2 = 0 there is no completion term"
 
 
 def _starts(constants: list[dict]) -> str:
@@ -189,7 +215,8 @@ def _starts(constants: list[dict]) -> str:
     if products == unreacted:
         return ""
     return (f"Programmed burn does not use this equation of state: a region starts at {products:g} kg/m³, the initial density for "
-            f"which the constants of the detonation products hold. Calculations that do use it start at {unreacted:g} kg/m³.")
+            f"which the constants of the detonation products hold. `hugoniot eos` uses it for shocks in the unreacted "
+            f"explosive, which start at {unreacted:g} kg/m³.")
 
 
 def _derived(about: dict) -> list[str]:
@@ -212,21 +239,23 @@ def _derived(about: dict) -> list[str]:
 def _others(about: dict) -> list[str]:
     if not about["others"]:
         return []
-    rows = [(o["row"], GROUPS[o["family"]], cell(o["summary"]),
+    rows = [(o["row"], GROUPS[o["family"]], cell(o["material"]), cell(o["summary"]),
              " ".join([sentence(o["source"]), *(f"**{sentence(short(mark, o['row']))}**" for mark in o["marks"])]))
             for o in about["others"]]
     states = [o["row"] for o in about["others"] if o["family"] == "eos" and usable(o["row"])]
+    curved = [o["row"] for o in about["others"] if schema.row(o["row"]).get("form") == "ulh"]
+    except_for = f" (not {listing(curved)}: hugoniot has no law for {'their' if curved[1:] else 'its'} exponential form)" if curved else ""
     use = "in a material file a row can supply the constants of a single law ([your own materials](../../materials/users.md))."
-    alone = f"An equation-of-state row can be used in a deck as a material in its own right, as in `material = \"{states[0]}\"`; {use}" \
-        if states else use[:1].upper() + use[1:]
+    alone = (f"An equation-of-state row can be used in a deck as a material in its own right{except_for}, as in "
+             f"`material = \"{states[0]}\"`; {use}") if states else use[:1].upper() + use[1:]
     taken = {o["row"]: [f"`{c['quantity']}`" for c in about["constants"] if c["quantity"] != "valid_up_to" and rows_used([c]) == [o["row"]]]
              for o in about["others"]}
     used = listing([f"{listing(names)} of row {row}" for row, names in taken.items() if names])
     used = f"; this material uses only {used}" if used else "; this material does not use them"
-    unnamed = next((o["row"] for o in about["others"] if "he file" in o["source"]), None)
+    unnamed = next((row for row, *_, said in rows if UNNAMED.search(said)), None)
     said = ROWS.format(used=used, use=alone) + (" " + FILE.format(example=unnamed) if unnamed else "")
     return ["## Other data", "", said, "",
-            *table(["row", "for", "constants", "source and remarks"], rows)]
+            *table(["row", "for", "material", "constants", "source and remarks"], rows)]
 
 
 def listing(names: list[str]) -> str:
@@ -259,8 +288,8 @@ def index(entries: list, laws: dict[str, dict]) -> str:
     counts = summary()
     lines = ["# All materials", "",
              f"This table lists the {counts['curated_materials']} curated materials: for each, laws and constants were chosen from the "
-             f"available sources, and its page gives the reasons. The library holds {counts['rows']} published sets of constants "
-             f"(*rows*) and {counts['measured_states']} measured shock states. "
+             f"available sources, and its page gives the reasons. The library holds {counts['rows']} sets of constants "
+             f"(*rows*), published or fitted by hugoniot, and {counts['measured_states']} measured shock states. "
              f"`hugoniot material search` finds {counts['searchable_materials']} "
              f"materials, which include rows that are not curated. {counts['rows_unverified_against_print']} rows are quoted from memory, "
              "not checked against the printed source; a warning says so wherever they are used.", ""]

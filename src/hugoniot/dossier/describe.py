@@ -24,8 +24,9 @@ def described(entry: Entry) -> dict:
         "constants": material_record(entry.material),
         "derived": {k: q._asdict() for k, q in derived.items()},
         "reasons": {k: v for k, v in entry.reasons.items() if v}, "missing": list(entry.missing), "notes": list(entry.notes),
-        "others": [{"family": family, "row": i, "summary": row_summary(schema.row(i)), "source": schema.row(i).source,
-                    "marks": list(marks(schema.row(i)))} for family, ids in entry.others.items() for i in ids],
+        "others": [{"family": family, "row": i, "material": schema.row(i).material, "summary": row_summary(schema.row(i)),
+                    "source": schema.row(i).source, "marks": list(marks(schema.row(i)))}
+                   for family, ids in entry.others.items() for i in ids],
         "fits": fit_lines(entry),
         "meanings": meanings(entry.material, entry.rate), "reference": _reference(entry.material.eos),
     }

@@ -4,6 +4,7 @@ import math
 import re
 
 from hugoniot.materials.material import Material
+from hugoniot.materials.reach import FAR_BRANCH
 from hugoniot.materials.record import law_inside
 from hugoniot.materials.schema import Row
 from hugoniot.materials.tables import families
@@ -20,12 +21,12 @@ DERIVED = {
     "cj_exponent": "adiabatic exponent at the CJ state", "unreacted_sound_speed": "bulk sound speed of the unreacted explosive",
 }
 _STATED = {
-    "detonation.velocity": "detonation velocity stated with the constants", "detonation.pressure": "CJ pressure stated with the constants",
+    "detonation.velocity": "stated detonation velocity", "detonation.pressure": "stated CJ pressure",
     "detonation.gurney_velocity": "Gurney velocity", "detonation.ignition_growth": "row with the constants of ignition and growth",
     "valid_up_to": "particle velocity at which the valid range ends",
 }
 _MODELS = {"SG": "Steinberg-Guinan", "JC": "Johnson-Cook"}
-_FORMS = {"vinet": "Vinet", "birch_murnaghan": "Birch and Murnaghan"}
+_FORMS = {"vinet": "Vinet", "birch_murnaghan": "Birch-Murnaghan"}
 _TABLES = {"jwlb": "JWLB detonation products", "ignition_growth": "ignition and growth", "ptw": "Preston-Tonks-Wallace",
            "gurney": "Gurney velocity", "tillotson": "Tillotson", "pop_plot": "Pop plot"}
 _PLACE = re.compile(r"([\w.-]+/[\w.-]+)@([0-9a-f]{7,40})(?: \(gh-pages\))?(?::(.*))?", re.DOTALL)
@@ -114,13 +115,13 @@ def differences(about: dict) -> str:
     """How derived quantities differ from the material's own at low pressure, or from the constants of its strength law; empty where not."""
     found = []
     if about["data_begin"] and "bulk_sound_speed" in about["derived"]:
-        found.append(f"They describe the fitted law, whose data begin at a particle velocity of {about['data_begin']:g} m/s; at low "
+        found.append(f"They describe the fitted law. The measured data begin at a particle velocity of {about['data_begin']:g} m/s; at low "
                      "pressure the real material has different sound speeds and elastic constants.")
     if about["sound_speed_of_others"] and "bulk_sound_speed" in about["derived"]:
         begin, low, high = (f"{v:.4g}" for v in about["sound_speed_of_others"])
         span = low if low == high else f"{low} to {high}"
         found.append(f"The bulk sound speed is extrapolated from data that begin at a particle velocity of {begin} m/s; other rows of the "
-                     f"library give {span} m/s.")
+                     f"library whose data begin below {FAR_BRANCH:g} m/s give {span} m/s.")
     if about["laws"].get("strength") == "steinberg_guinan" and "shear_modulus" in about["derived"]:
         stated = {c["quantity"]: c["value"] for c in about["constants"]}
         ratio = about["derived"]["shear_modulus"]["value"] / stated["strength.shear_modulus"]
@@ -144,11 +145,12 @@ def row_summary(row: Row) -> str:
     """The constants of a row in a few words, with the range of a Hugoniot and its mark."""
     if row.table == "us_up":
         density = f"density {row['rho0']:.5g} kg/m3, " if "rho0" in row else ""
-        reaches = f", for particle velocities up to {row['up_max']:g} m/s" if "up_max" in row else ", range not stated"
+        ends = f"from {row['up_min']:g} to" if row.get("up_min") else "up to"
+        reaches = f", for particle velocities {ends} {row['up_max']:g} m/s" if "up_max" in row else ", range not stated"
         text = density + hugoniot_text(row) + reaches
     elif row.table == "compression":
-        text = (f"density {row['rho0']:.5g} kg/m3, isotherm of {_FORMS[row['form']]} with bulk modulus "
-                f"{row['bulk_modulus'] / 1e9:.4g} GPa and its pressure derivative {row['bulk_modulus_slope']:g}")
+        text = (f"density {row['rho0']:.5g} kg/m3, {_FORMS[row['form']]} isotherm, bulk modulus "
+                f"{row['bulk_modulus'] / 1e9:.4g} GPa, pressure derivative {row['bulk_modulus_slope']:g}")
     elif row.table == "jwl":
         stated = f", detonation velocity {row['detonation_velocity']:g} m/s" if "detonation_velocity" in row else ""
         what = "detonation products" if row["role"] == "products" else "unreacted explosive"

@@ -8,7 +8,7 @@ import second_routes
 
 from hugoniot.dossier import derived
 from hugoniot.dossier.describe import described
-from hugoniot.dossier.wording import differences
+from hugoniot.dossier.wording import differences, row_summary
 from hugoniot.errors import DeckError, NoSolution
 from hugoniot.laws.eos.contract import EOS, pressure, reference_state, temperature
 from hugoniot.laws.eos.jwl import JWL
@@ -137,7 +137,7 @@ def test_derived_constants_of_a_law_fitted_beyond_a_transition_are_called_so(nam
     assert (f"data begin at a particle velocity of {begins or 0:g} m/s" in differences(about)) == (begins is not None)
 
 
-@pytest.mark.parametrize("name, words", [("U204", "begin at a particle velocity of 900 m/s; other rows of the library give 1484 to 1833 m/s"),
+@pytest.mark.parametrize("name, words", [("U204", "begin at a particle velocity of 900 m/s; other rows of the library whose data begin below 1000 m/s give 1484 to 1833 m/s"),
                                          ("copper", ""), ("U242", "")])
 def test_an_intercept_that_other_sources_contradict_is_no_measured_sound_speed(name, words):
     """A line through water's states from 0.9 km/s on meets zero at 2233 m/s; sound runs at 1.48 km/s."""
@@ -168,9 +168,24 @@ def test_the_yield_stress_says_which_strain_and_rate_it_is_for():
     ("pbx_9502", "unreacted.reference_temperature", "assumed"), ("pbx_9502", "rate.z", "calibrated by hugoniot"),
     ("pbx_9502", "rate.i", "taken from row G003"), ("comp_b", "rate.g2", "set by hugoniot"),
     ("pbx_9404", "rate.i", "taken from row G010 (not checked against the printed source)"),
+    ("octol", "burn.detonation_velocity", "computed from constants not checked against the printed source"),
+    ("hns", "eos.rho0", "assumed"), ("hns", "unreacted.rho0", "assumed"), ("J034", "eos.rho0", "assumed"),
     ("rdx", "eos.e0", "computed from the isentrope, doubtful")])
 def test_a_derived_constant_says_how_it_was_found(name, quantity, remark):
     assert next(c["mark"] for c in described(library.entry(name))["constants"] if c["quantity"] == quantity) == remark
+
+
+@pytest.mark.parametrize("name, words", [("U233", "up (m/s), for particle velocities from 2639 to 7780 m/s"), ("U002", "for particle velocities up to 3763 m/s"),
+                                         ("U008", "range not stated")])
+def test_the_line_of_a_fit_says_where_its_data_begin(name, words):
+    assert row_summary(schema.row(name)).endswith(words)
+
+
+def test_low_density_polyethylene_is_not_the_dense_one():
+    """The curated set is for 952 kg/m3; row U081 has the low-density polymer, 915 kg/m3."""
+    with pytest.raises(DeckError):
+        library.find("LDPE")
+    assert library.find("HDPE").eos.rho0 == 952.0 and library.find("U081").eos.rho0 == 915.0
 
 
 def test_alpha_iron_is_not_the_iron_above_its_transition():

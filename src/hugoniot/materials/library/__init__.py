@@ -241,7 +241,9 @@ def _branch(name: str, identity: str | None) -> list[str]:
     begin = far_begin(schema.row(identity)) if identity else 0.0
     if not begin:
         return []
-    return [f"the data of row {identity} ({name}) begin at a particle velocity of {begin:g} m/s; weaker shocks may follow another branch "
+    compared = "states" in schema.row(identity) and schema.row(identity).status != "derived"      # its source states no range
+    data = f"the measured states with which row {identity} ({name}) is compared" if compared else f"the data of row {identity} ({name})"
+    return [f"{data} begin at a particle velocity of {begin:g} m/s; weaker shocks may follow another branch "
             "of the Hugoniot"]
 
 
