@@ -165,7 +165,8 @@ def _material_curve(entry: Entry, top: float) -> Curve | None:
     if "reacted" in EOS.of(material.eos).flags:
         material, title = replace(material, eos=entry.unreacted), f"{entry.title}, unreacted"
         first = _unreacted_row(entry) or first
-    low = (first.get("up_min") or 0.0) if first is not None and first.table == "us_up" else 0.0
+    own = first is not None and first.table == "us_up" and material.valid_up_to      # else its row's range is not this material's
+    low = (first.get("up_min") or 0.0) if own else 0.0
     high = material.valid_up_to or math.inf
     rho0 = float(reference_state(material.eos)[0])
     label = f"{title} (row {first.id}, used here)" if entry.curated and first is not None else title

@@ -115,7 +115,7 @@ def differences(about: dict) -> str:
     """How derived quantities differ from the material's own at low pressure, or from the constants of its strength law; empty where not."""
     found = []
     if about["data_begin"] and "bulk_sound_speed" in about["derived"]:
-        found.append(f"They describe the fitted law. The measured data begin at a particle velocity of {about['data_begin']:g} m/s; at low "
+        found.append(f"They describe the fitted law, which holds only above a particle velocity of {about['data_begin']:g} m/s; at low "
                      "pressure the real material has different sound speeds and elastic constants.")
     if about["sound_speed_of_others"] and "bulk_sound_speed" in about["derived"]:
         begin, low, high = (f"{v:.4g}" for v in about["sound_speed_of_others"])
