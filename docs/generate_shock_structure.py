@@ -110,7 +110,7 @@ def orders() -> list[str]:
     return ["Error of the density thickness relative to the steady wave, for runs started from a step with 5, 10 and 20 cells in the "
             "thickness, and the observed orders of convergence. All runs have the domain and duration recommended for the transient "
             "solver. The error is the largest found at nine instants at the end of the run, while the material behind the "
-            "shock moves by one thickness.", "",
+            "shock moves by one thickness. The velocities of water and silica are particle velocities.", "",
             *table(("case", "frame", "5 cells, %", "10 cells, %", "20 cells, %", "order, 5 to 10", "order, 10 to 20"), rows)]
 
 
@@ -207,8 +207,8 @@ def spacings() -> list[str]:
         found = (on_spacing(case, case.spacing)[0], on_spacing(case, case.spacing, True)[0], by_central_differences(case))
         schemes.append([label, *(f"{f * 1e9:.3g} nm, {f / case.spacing:.2g} cells" for f in found),
                         f"{case.printed[0] * 1e9:.0f} nm, {case.printed[0] / case.spacing:.0f} cells"])
-    return ["Thickness in nm of two shocks in water by Jordan's eq. 6.2.5, on 600 cells of the width in the heading. "
-            "Jordan's result is given in brackets at the cell width that Jordan used:", "",
+    return ["Thickness in nm of shocks in water of two particle velocities by Jordan's eq. 6.2.5, on 600 cells of the width in the "
+            "heading. Jordan's result is given in brackets at the cell width that Jordan used:", "",
             *table(("shock", *(f"{s * 1e9:.3g} nm" for s in WATER_SPACINGS), "steady"), rows),
             "The same on cells of Jordan's width by three schemes: this solver; this solver at first order (local Lax-Friedrichs flux); "
             "and the central differences of Jordan's section 2.4.1. The last are shown when sound has crossed five cells; later the "
