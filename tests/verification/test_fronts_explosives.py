@@ -62,7 +62,7 @@ def test_products_that_escape_into_vacuum(until):
 
 @pytest.mark.slow
 def test_the_reaction_zone_of_simple_depletion():
-    """Half of the explosive has burned behind a piston that moves as the material does; some pressure ahead, for rounding: 3e-7 of the spike."""
+    """Three quarters have burned at a piston that moves as the material does; some pressure ahead, for rounding: 3e-7 of the spike."""
     exact, rate, until = fickett_rivard(), 2e6, 0.5e-6
     fuel = IdealGas(3.0, 1000.0, RHO0)
     material = Material("he", fuel, burn=PressurePower(rate, 0.0, 0.5, 1e9, 1e9), unreacted=fuel, mixture="weighted_pressures",
