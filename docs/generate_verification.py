@@ -19,14 +19,14 @@ TARGET = Path(__file__).parent / "verification_numbers.md"
 WORDS = {"density_l1": "L1 error of the density", "energy_l1": "L1 error of the energy per mass", "velocity_l1": "L1 error of the velocity",
          "density_self_l1": "L1 difference of the density from a run on 3200 zones",
          "plateau_density": "mean density of the plateau behind the shock, relative error",
-         "wall_density": "density at the wall, axis or centre / exact (larger is better)",
+         "wall_density": "density at the wall, axis or centre / exact",
          "shock_position": "position of the shock, error", "peak_density": "largest density",
          "outer_radius": "outer radius, relative error", "plateau_pressure": "pressure of the plateau, relative error",
          "plateau_velocity": "velocity of the plateau, relative error",
          "elastic_limit": "stress behind the elastic precursor, relative error",
          "plastic_stress": "stress behind the plastic shock, relative error",
          "stop_radius": "inner radius at which the shell stops, relative error",
-         "energy_minimum": "smallest energy per mass during the run (must be positive)",
+         "energy_minimum": "smallest energy per mass during the run",
          "reference_density": "density at four reference positions, largest relative difference",
          "fronts": "positions and times of fronts, largest relative error", "states": "states between fronts, largest relative error",
          "speeds": "speeds of fronts, largest relative error", "contacts": "positions of the two contacts, largest error",
@@ -40,7 +40,7 @@ WORDS = {"density_l1": "L1 error of the density", "energy_l1": "L1 error of the 
          "front_rms": "deviation of the shock from a straight line, root mean square",
          "velocity_across": "largest transverse velocity / velocity of the piston",
          "interface_length": "length of the interface, relative difference from a mesh twice as fine",
-         "time_reached": "time reached (larger is better)",
+         "time_reached": "time reached",
          "density": "density of a zone, largest relative error",
          "viscous_work": "work of the artificial viscosity / internal energy",
          "peak_speed": "loss of the largest speed", "speed_l2": "root mean square error of the speed",
@@ -91,8 +91,9 @@ def section(found: dict, more: str = "") -> list[str]:
     keys = list(dict.fromkeys(row["measure"] for row in found["measures"]))
     for row in sorted(found["measures"], key=lambda m: keys.index(m["measure"])):
         order = found["orders"].get(row["measure"])
-        shown = f"{order:.2f}" if order is not None and row["measure"] != last and row["sense"] == "below" else ""
-        words = names.get(row["measure"], row["measure"].replace("_", " ")) if row["measure"] != last else ""
+        shown = f"{round(order, 2) + 0.0:.2f}" if order is not None and row["measure"] != last and row["sense"] == "below" else ""
+        sense = " (larger is better)" if row["sense"] == "above" else ""
+        words = names.get(row["measure"], row["measure"].replace("_", " ")) + sense if row["measure"] != last else ""
         marks = [against(row[key], beats(row, key)) for key in limits]
         cells = [words, str(row["zones"]), f"{row['value']:.4g}", *marks, *([shown] if ordered else [])]
         lines.append("| " + " | ".join(cells) + " |")
