@@ -43,7 +43,7 @@ decks to start from.
   its keys.
 * **Editors.** `hugoniot init --schema` writes a JSON Schema, with which text editors complete and check decks.
   `hugoniot check DECK --resolved` prints a deck with every default written out.
-* **Sweeps.** A table `[sweep]` is read by `hugoniot sweep` only; see [the guide](../campaigns.md).
+* **Sweeps.** A deck with a table `[sweep]` works with [`hugoniot sweep`](../campaigns.md#sweeps) only; other commands refuse it.
 """
 MATERIALS = """\
 ## Materials

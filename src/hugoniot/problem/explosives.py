@@ -130,8 +130,8 @@ def _viscosity_advice(solver, material) -> str:
         key, value, usual = "linear", given[1].get("linear"), FOR_PRODUCTS[solver.integrator][1]["linear"]
     if value in (None, 0.0, usual):
         return ""
-    return (f"[solver.viscosity] {key} = {value:g} has no effect in '{material.name}', whose burn is programmed alone: linear viscosity "
-            "would compress it ahead of the front")
+    return (f"[solver.viscosity] {key} = {value:g} has no effect in '{material.name}', which burns by '{BURN.of(material.burn).name}' into "
+            "'burned_products': linear viscosity would compress it ahead of the front")
 
 
 def _idle(material) -> list[str]:

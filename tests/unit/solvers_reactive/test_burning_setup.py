@@ -204,7 +204,7 @@ GASEOUS = '[material.x.eos]\nlaw = "ideal_gas"\ngamma = 3.0\nrho0 = 1600.0\n[mat
     ("", '[material.x]\nbase = "LX-17 reactive"\ndetonation_energy = "5e12 J/kg"', "its equations of state give"),
     ("", GASEOUS, "has no burn law: its detonation_energy is not used"),
     ("", '[material.x]\nbase = "copper"\nmixture = "thermal_isolation"', "has no burn law: its mixture is not used"),
-    ("lighting = [{at = 0.0}]", '[solver.viscosity]\nlaw = "limited"\nlinear = 1.0', "linear = 1 has no effect in 'comp_b', whose burn is programmed alone"),
+    ("lighting = [{at = 0.0}]", '[solver.viscosity]\nlaw = "limited"\nlinear = 1.0', "linear = 1 has no effect in 'comp_b', which burns by 'programmed' into 'burned_products'"),
 ])
 def test_what_is_allowed_but_seldom_meant_is_told(top, region, words):
     text = DECK.format(top=top, region=region)

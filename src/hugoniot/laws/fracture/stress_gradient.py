@@ -1,4 +1,4 @@
-r"""Spall at a tension proportional to the square root of its gradient: a short pulse needs a higher tension than a long one.
+r"""Spall at a tension proportional to the square root of its gradient, but not below a least value: short pulses need a higher tension.
 
 $$\sigma_t \ge \max\left(\sigma_m,\; A\sqrt{|d\sigma_t/dx|}\right), \qquad A = \sigma_r/\sqrt{G_r}$$
 
@@ -64,7 +64,7 @@ FRACTURE.add(
     build=build,
     units={"strength": "Pa", "gradient": "Pa/m", "least": "Pa"},
     meaning={"strength": "tension at which the material breaks at the reference gradient", "gradient": "reference gradient of the tension",
-             "least": "tension at which the material breaks without a gradient"},
+             "least": "lower limit of the tension at which the material breaks; a uniform tension breaks it there"},
     box={"tension": (-1e11, 1e10), "p": (-1e10, 1e11), "v": (0.3, 1.5), "damage": (0.0, 1.0)},
     references=("Breed, Mader & Venable, J. Appl. Phys. 38 (1967) 3271",
                 "Tuler & Butcher, Int. J. Fracture Mech. 4 (1968) 431, for the impulse criterion"),

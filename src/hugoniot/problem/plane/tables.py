@@ -60,7 +60,7 @@ def _matrix(value: Any) -> tuple[tuple[float, float], ...]:
 def _names(value: Any) -> tuple[str, ...]:
     names = [value] if isinstance(value, str) else value
     if not isinstance(names, list) or not names or not all(isinstance(name, str) for name in names):
-        raise trouble("expected a chain of edges or an array of them", 'for example "bar.bottom", or ["bar.right", "bar.top"]')
+        raise trouble("expected a side or an array of sides", 'for example "bar.bottom", or ["bar.right", "bar.top"]')
     return tuple(" ".join(name.split()) for name in names)
 
 
@@ -267,11 +267,12 @@ class ViscosityTable(Table):
         "edge: acts along the edges that shorten; herrmann: acts on bulk and deviators along the coordinate axes, for comparison")
     limited: bool = Field(Viscosity2D.limited, description="whether a limiter removes the viscosity in smooth flow; kind herrmann has "
         "none and needs limited = false")
-    linear: Plain = Field(LIMITED["linear"], description="linear coefficient of materials without strength that do not burn, but of "
-        "condensed ones only where they flow at constant volume; of porous ones in weak shocks")
+    linear: Plain = Field(LIMITED["linear"], description="linear coefficient of materials without strength that do not burn: of "
+        "gases; of solids and liquids where they flow at constant volume; of porous materials in weak shocks")
     linear_condensed: Plain | None = Field(
-        None, description="linear coefficient of condensed materials without strength that do not burn where they are compressed; of "
-        f"porous ones in strong shocks (default: {LIMITED['linear_condensed']:g}, or linear if that is given); not with kind herrmann")
+        None, description="linear coefficient of materials without strength that do not burn: of solids and liquids where they "
+        f"are compressed; of porous materials in strong shocks (default: {LIMITED['linear_condensed']:g}, or linear if that is given); not "
+        "with kind herrmann")
     quadratic: Plain = Field(Viscosity2D.quadratic, description="quadratic coefficient of materials without strength that do not burn")
     solid_linear: Plain = Field(LIMITED["linear"], description="linear coefficient of materials with strength where they are "
         "compressed, in weak shocks; not with kind herrmann")
@@ -282,7 +283,7 @@ class ViscosityTable(Table):
         "constant volume (with kind herrmann, in all motion)")
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")
     explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of materials that burn; not used "
-        "where the burn law is programmed alone")
+        "with the burn law programmed and the mixture burned_products")
     explosive_quadratic: Plain = Field(Viscosity2D.explosive_quadratic, description="quadratic coefficient of materials that burn")
     heat_flux: Plain = Field(Viscosity2D.heat_flux, description="coefficient of the artificial heat flux in shocks of materials "
         "without strength that do not burn; cells quads only; 0 switches it off")
