@@ -29,6 +29,15 @@ class UnitError(ValueError):
         super().__init__(message + (f"; {hint}" if hint else ""))
 
 
+class UnknownUnit(UnitError):
+    """A name that is no unit; `near` is the known name most like it, or ""."""
+
+    def __init__(self, name: str, near: str):
+        self.name, self.near = name, near
+        super().__init__(f"unknown unit '{name}'", f"did you mean '{near}'?" if near else
+                         "units are written like 'mm', 'us', 'km/s', 'GPa', 'g/cm^3'")
+
+
 class Unit(NamedTuple):
     """A unit: factor to SI, and the powers of (m, kg, s, K, mol)."""
 
@@ -74,6 +83,9 @@ _KINDS = {"m": ("a length", "mm"), "s": ("a time", "us"), "kg": ("a mass", "g"),
           "J/kg/K": ("a specific heat or entropy", "J/kg/K"), "1/s": ("a rate", "1/s"), "1/K": ("an expansion coefficient", "1/K"),
           "Pa s": ("a viscosity", "Pa s"), "W/m/K": ("a thermal conductivity", "W/m/K"), "J": ("an energy", "kJ"), "N": ("a force", "kN"),
           "m^2": ("an area", "mm^2"), "m^3": ("a volume", "cm^3"), "m/s^2": ("an acceleration", "m/s^2"), "1": ("a plain number", "")}
+# compound units as people write them, to know them again without their signs
+_WRITTEN = ("km/s", "m/s", "mm/us", "cm/us", "g/cm^3", "kg/m^3", "g/cc", "kJ/kg", "MJ/kg", "J/kg", "J/g", "kJ/g", "J/kg/K", "J/g/K", "Pa s",
+            "mPa s", "1/s", "1/us", "W/m/K", "m/s^2", "mm^2", "cm^2", "m^2", "mm^3", "cm^3", "m^3")
 _DISPLAY = {"m": ("um", "mm", "m"), "s": ("ns", "us", "ms", "s"), "Pa": ("Pa", "kPa", "MPa", "GPa", "TPa"),
             "J/kg": ("J/kg", "kJ/kg", "MJ/kg")}
 
@@ -123,7 +135,10 @@ def _of_kind(name: str, unit: str, text: str) -> tuple[Decimal, Decimal]:
     if name in _OFFSET:
         found, offset = Unit(Decimal(1), _KELVIN), _OFFSET[name]
     else:
-        found, offset = _read_unit(name), Decimal(0)
+        try:
+            found, offset = _read_unit(name), Decimal(0)
+        except UnknownUnit as error:
+            raise UnitError(error.message, _meant(name, unit, error)) from None
     if found.powers != _powers(unit):
         kind = _kind_of(found.powers)
         raise UnitError(f"expected {_wanted(unit)}, got {kind or 'something else'} ({_shown(text)})", _example(unit))
@@ -298,8 +313,22 @@ def _from_pint(name: str) -> Unit:
             order = ("meter", "kilogram", "second", "kelvin", "mole")
             if set(powers) <= {*order, "radian"} and all(v == int(v) for v in powers.values()) and "deg" not in name:
                 return Unit(Decimal(repr(size)), tuple(int(powers.get(k, 0)) for k in order))
-    hint = f"did you mean '{near}'?" if near else "units are written like 'mm', 'us', 'km/s', 'GPa', 'g/cm^3'"
-    raise UnitError(f"unknown unit '{name}'", hint)
+    raise UnknownUnit(name, near)
+
+
+def _meant(name: str, unit: str, error: UnknownUnit) -> str:
+    """The hint for a unit with an unknown name where one of the kind of `unit` is wanted: km/s for `kms` and a velocity, not ms."""
+    bare = re.sub("[^A-Za-z0-9]", "", name).lower()
+    for written in _WRITTEN:
+        if re.sub("[^A-Za-z0-9]", "", written).lower() == bare and _powers(written) == _powers(unit):
+            return f"did you mean '{written}'?"
+    if error.near:
+        try:
+            right = _read_unit(name.replace(error.name, error.near, 1)).powers == _powers(unit)
+        except UnitError:
+            right = False
+        return error.hint if right else _example(unit)
+    return error.hint
 
 
 @functools.lru_cache(maxsize=256)      # a slip of a unit is often made in every line

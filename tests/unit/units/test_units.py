@@ -47,6 +47,8 @@ def test_rare_units_come_from_pint():
 
 @pytest.mark.parametrize("text, unit, message", [
     ("2 mmm", "m", "unknown unit 'mmm'; did you mean 'mm'?"), ("2 gpa", "Pa", "unknown unit 'gpa'; did you mean 'GPa'?"),
+    ("1 kms", "m/s", "unknown unit 'kms'; did you mean 'km/s'?"), ("3 gcc", "kg/m^3", "did you mean 'g/cc'?"),
+    ("2 mmm", "m/s", "unknown unit 'mmm'; write it like \"1.5 km/s\""), ("1 km/ss", "m/s", "unknown unit 'ss'; did you mean 's'?"),
     ("2 mm", "s", "expected a time, got a length"), ("2", "m", "has no unit"), ("3 m", "1", "expected a plain number, got a length"),
     ("1e400 m", "m", "too large"), ("1e-400 m", "m", "too small"), ("nan m", "m", "not a quantity"), ("inf", "m", "not a quantity"),
     (float("nan"), "m", "finite"), (math.inf, "m", "finite"), (10**400, "m", "too large"), (True, "m", "got true"), ([1], "m", "got an array"),
