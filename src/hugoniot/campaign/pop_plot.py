@@ -150,6 +150,10 @@ def initiation(charge: Charge, pressure: float, zone_size: float, longest: float
             break
         except OutOfRange:
             distance = time = math.nan
+            at_once = times.size >= 8 and bool(np.all(np.diff(path) > 0.5 * (entering + charge.speed) * np.diff(times)))
+            if at_once:
+                told = [f"detonation within fewer than {STRIDE} zones: make the zones smaller"]
+                break
             if zones >= most:
                 told = [f"no detonation within {longest * 1e3:.4g} mm"]
                 break

@@ -89,8 +89,7 @@ def fit_rate(material: Material, line: PopLine, pressures: Sequence[float], adju
     problem.answers([start])
     first = made[tuple(f.given(0.5) for f in problem.free)]
     if not any(math.isfinite(p.distance) for p in first):
-        raise OutOfRange(f"with the starting constants no run detonated within {ROOM:g} times the measured run distance, or every run "
-                         f"detonated at once ({first[-1].note}); start from constants that are closer to the data")
+        raise OutOfRange(f"with the starting constants {_no_distance(first)}; start from constants that are closer to the data")
     fit = weighed(problem, [problem.search(start)])
     values = [f.given(c) for f, c in zip(problem.free, fit.minimum.x)]
     model = target.model(problem.answers([fit.minimum.x])[0])
@@ -101,6 +100,17 @@ def fit_rate(material: Material, line: PopLine, pressures: Sequence[float], adju
     runs = (len(made) + 1) * wanted.size
     return RateFit(after, {name: float(getattr(material.burn, name)) for name in adjust}, burn, tuple(made[tuple(values)]),
                    tuple(float(v) for v in model / wanted), refined, zones, runs, fit, target, model)
+
+
+def _no_distance(points: Sequence[Initiation]) -> str:
+    """Why runs have no run distance, none of them."""
+    at_once = sum(point.at_once for point in points)
+    never = f"within {ROOM:g} times the measured run distance"
+    if at_once == len(points):
+        return "every run detonated at once: the rate is too high"
+    if not at_once:
+        return f"no run detonated {never}: the rate is too low"
+    return f"{at_once} of {len(points)} runs detonated at once, the others not {never}"
 
 
 def as_fitted(found: RateFit, deck: str, notes: Sequence[str], folder: pathlib.Path | None = None) -> Fitted:

@@ -62,7 +62,9 @@ def run_to_detonation(times, path, detonation_velocity: float, shock_velocity: f
     halfway = 0.5 * ((np.mean(speed[:3]) if shock_velocity is None else shock_velocity) + detonation_velocity)
     slow = np.flatnonzero(speed < halfway)
     if slow.size == 0 or slow[-1] + 1 >= speed.size:
-        raise OutOfRange(f"the front did not pass from below to above {halfway:.5g} m/s on its way: no run distance in this run")
+        where = "is faster all the way" if slow.size == 0 else "is still slower at the end of its path"
+        raise OutOfRange(f"no run distance in this run: a front detonates where its speed rises through {halfway:.5g} m/s, half-way from "
+                         f"the entering shock to the detonation, but this one {where}")
     k = slow[-1]
     share = (halfway - speed[k]) / (speed[k + 1] - speed[k])
     return float(abs(where[k] + share * (where[k + 1] - where[k]) - path[0])), float(when[k] + share * (when[k + 1] - when[k]) - times[0])

@@ -74,6 +74,15 @@ def test_a_charge_too_short_and_zones_too_coarse_are_told():
     assert found.line is coarse.line is None and all(np.isnan(p.distance) for p in (*found.points, *coarse.points))
 
 
+def test_a_front_that_is_a_detonation_from_its_first_reading_detonated_at_once():
+    """The rate of LX-17 raised a million times burns a zone within a step."""
+    burn = LX17.burn._replace(**{name: 1e6 * getattr(LX17.burn, name) for name in ("i", "g1", "g2")})
+    point, = pop_plot(dataclasses.replace(LX17, burn=burn), (10e9,), zone_size=5e-5, longest=5e-3).points
+    assert point.at_once and "within fewer than 8 zones" in point.note and np.isnan(point.distance)
+    speeds = np.diff(point.path[1]) / np.diff(point.path[0])
+    assert np.median(speeds) == pytest.approx(7600.0, rel=0.05)      # of LX-17: its CJ velocity
+
+
 @pytest.mark.parametrize(("material", "words"), [
     (library.find("comp_b"), "has no rate-based burn law"), (library.find("copper"), "has no rate-based burn law"),
     (dataclasses.replace(LX17, unreacted=None), "unreacted")])
@@ -104,7 +113,7 @@ def test_the_command_prints_json_csv_and_a_picture(capsys, tmp_path):
 @pytest.mark.parametrize(("arguments", "words"), [
     (("LX-17 reactive", "-p", "15..3 GPa"), "not a range"), (("LX-17 reactive", "-p", "3 s"), "--pressures"),
     (("LX-17 reactive", "-p", "0..3 GPa"), "not positive"), (("LX-17 reactive", "--closure", "thermal"), "--closure"),
-    (("LX-17 reactive", "--published", "copper"), "PBX-9502"), (("comp_b",), "has no rate-based burn law"), (("G010",), "no products"),
+    (("LX-17 reactive", "--published", "copper"), "PBX-9502"), (("comp_b",), "has no rate-based burn law"), (("G010",), "no equation of state of the products"),
     (("LX-17 reactive", "--zone-size", "-1 um"), "--zone-size")])
 def test_what_the_command_refuses(capsys, arguments, words):
     code, _, err = call(capsys, *arguments)

@@ -55,8 +55,13 @@ def test_what_cannot_be_sought_is_refused(material, adjust, pressures, words):
 
 
 def test_a_start_that_never_turns_is_told():
-    with pytest.raises(OutOfRange, match="closer to the data"):
+    with pytest.raises(OutOfRange, match="no run detonated within 8 times .*: the rate is too low; .*closer to the data"):
         fit_rate(with_rate(g1=1e-40, g2=0.0), LINE, (15e9,), ("g1",), zones=50)
+
+
+def test_a_start_that_detonates_at_once_is_told():
+    with pytest.raises(OutOfRange, match="every run detonated at once: the rate is too high"):
+        fit_rate(with_rate(i=1e6 * LX17.burn.i, g1=1e6 * LX17.burn.g1, g2=1e6 * LX17.burn.g2), LINE, (10e9,), ("g1",), zones=50)
 
 
 def test_the_command_gives_a_table_for_a_deck(capsys, tmp_path):
