@@ -309,7 +309,7 @@ def test_a_deck_that_is_not_the_runs_own_is_not_replaced(whole, tmp_path, edit):
 def test_a_log_of_another_program_makes_no_run_folder(tmp_path):
     (tmp_path / "deck.toml").write_text("precious")
     (tmp_path / "run.log").write_text("Solver started, all is well\n")
-    with pytest.raises(FileTrouble, match="not a run folder, but contains run.log"):
+    with pytest.raises(FileTrouble, match="contains run.log, but no run.log written by hugoniot"):
         RunFolder(tmp_path, overwrite=True)
 
 

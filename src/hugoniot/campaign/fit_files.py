@@ -27,9 +27,11 @@ def claimed(folder: pathlib.Path) -> pathlib.Path:
         folder.mkdir(parents=True, exist_ok=True)
         standing = sorted(path.name for path in folder.iterdir())
     foreign = [name for name in standing if name not in (FOUND, *FILES, "report.html", "run.log") and not name.endswith(".part")]
-    if foreign or (standing and FOUND not in standing):
-        raise FileTrouble(f"{folder}: is not the folder of a fit, but contains {(foreign or standing)[0]}; "
-                          "choose another folder with --out")
+    if foreign:
+        raise FileTrouble(f"{folder}: contains {foreign[0]}, which is not a file of a fit; choose another folder with --out")
+    if standing and FOUND not in standing:
+        raise FileTrouble(f"{folder}: contains {standing[0]}, but no {FOUND}, so it is not recognised as the folder of a fit; "
+                          "choose another with --out")
     if FOUND in standing:
         _refuse_changed(folder)
     return folder

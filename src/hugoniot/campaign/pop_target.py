@@ -58,7 +58,8 @@ def read_pop_plot(path: str, number: int, sigma: str | None, notes: list[str]) -
     heads = [split_unit(head) for head in lines[0][1]]
     for k, (head, unit) in enumerate(heads):
         if head not in _UNITS or unit is None:
-            raise DeckError.single(name, 1, f"column {k + 1}", f"'{lines[0][1][k].strip()}' is not a column of a Pop plot with its unit",
+            wrong = "has no unit" if head in _UNITS else "is not a column of a Pop plot"
+            raise DeckError.single(name, 1, f"column {k + 1}", f"'{lines[0][1][k].strip()}' {wrong}",
                                    "write: pressure [GPa], distance [mm], distance sigma [mm]")
     if "distance" not in dict(heads) or len(lines) < 2:
         raise DeckError.single(name, 1, "table", "a Pop plot needs input pressures and run distances",

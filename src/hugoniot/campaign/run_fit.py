@@ -142,7 +142,8 @@ def _limit(text: str | None, unit: str, option: str) -> float:
     except UnitError as error:
         raise refuse(option, text, error.message, error.hint) from None
     if not found > 0.0:
-        raise refuse(option, text, "not above 0", "give the largest magnitude, such as '20 ns' or '2 %'")
+        raise refuse(option, text, "not above 0", "give the largest shift that is allowed, such as '20 ns'" if unit == "s" else
+                     "give the largest change of the scale that is allowed, such as '2 %'")
     return found
 
 

@@ -108,7 +108,8 @@ def _claim(folder: pathlib.Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         standing = sorted(path.name for path in folder.iterdir() if path.name not in (".lock", "run.log"))
     if standing and not is_journal(folder / JOURNAL):
-        raise FileTrouble(f"{folder}: is not the folder of a sweep, but contains {standing[0]}; choose another folder with --out")
+        raise FileTrouble(f"{folder}: contains {standing[0]}, but no {JOURNAL} written by a sweep, so it is not recognised as the folder "
+                          "of one; choose another with --out")
 
 
 def _asked(plan: Plan, journal: Journal, engine, progress: Progress, show) -> tuple[list[str], dict[int, str]]:

@@ -123,9 +123,8 @@ def _tell(name: str, solution: Solution, given: dict, states: list[dict]) -> Non
     if solution.numbers:
         echo_table(["number", "value"], [(k, f"{v:.10g}") for k, v in solution.numbers.items()])
     if not states:
-        first = 0.0 if solution.times[0] == 1e-300 else solution.times[0]
         holds = ("steady; --at, --csv or --plot gives the fields" if solution.steady
-                 else f"holds for times {first:.6g} to {solution.times[1]:.6g}; --time gives the fields")
+                 else f"holds for times {solution.span}; --time gives the fields")
         typer.echo(f"\n{holds}\nsource: {_source(SOLUTIONS[name])}")
     for state in states:
         if "jumps" in state:

@@ -163,8 +163,9 @@ def _unreacted(row: Row, prefix: str, heat_column: str) -> Card:
 
 def _products_of_set(row: Row) -> Card:
     """The products an ignition-and-growth set was calibrated with."""
-    if "products_a" not in row or "e0" not in row:
-        raise ValueError(f"row {row.id} gives no products with their energy")
+    lacks = "equation of state" if "products_a" not in row else "" if "e0" in row else "detonation energy"
+    if lacks:
+        raise ValueError(f"row {row.id} gives no {lacks} of the products")
     found: Card = {"law": "jwl", "rho0": row.constant("rho0"), "e0": row.constant("e0")}
     for name in ("a", "b", "r1", "r2", "omega"):
         found[name] = row.constant(f"products_{name}", name)

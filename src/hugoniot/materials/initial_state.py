@@ -145,7 +145,7 @@ def initial_state(eos, density=None, pressure_=None, temperature_=None, energy=N
     """
     rho, e = _state(eos, density, pressure_, temperature_, energy)
     alone = density is not None and pressure_ is None and energy is None
-    refuse_below_zero(rho, e, eos, "; give its temperature as well, and the pressure follows" if alone else "")
+    refuse_below_zero(rho, e, eos, "; give the density and a temperature, from which the pressure follows" if alone else "")
     return rho, e
 
 

@@ -92,7 +92,8 @@ def read_csv(text: str, name: str = "table.csv", rho0: float = math.nan, referen
 def _csv(text: str, name: str, window: Window) -> tuple[Table, tuple[str, ...]]:
     lines = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.lstrip().startswith("#")]
     if not lines:
-        raise DeckError.single(name, None, "table", "the file has no rows", f"first line: {','.join(COLUMNS)}")
+        raise DeckError.single(name, None, "table", "the file has no rows",
+                               f"the first line must be {','.join(COLUMNS)}, in kg/m3, K, Pa and J/kg")
     header = [h.strip().lower() for h in csv_rows(lines[0][1], name, lines[0][0])[0][1]]
     wrong = [c for c in COLUMNS if header.count(c) != 1]
     if wrong:
@@ -104,8 +105,8 @@ def _csv(text: str, name: str, window: Window) -> tuple[Table, tuple[str, ...]]:
     for line_number, line in lines[1:]:
         rho, t, p, e = _row(line, place, len(header), name, line_number)
         if (rho, t) in points:
-            raise DeckError.single(name, line_number, "row", f"density {rho:.6g}, temperature {t:.6g} is given twice, first on line "
-                                   f"{origin[rho, t]}", "remove one")
+            raise DeckError.single(name, line_number, "row", f"density {rho:.6g} kg/m3, temperature {t:.6g} K is given twice, first on "
+                                   f"line {origin[rho, t]}", "remove one")
         points[rho, t], origin[rho, t] = (p, e), line_number
     return _assemble(points, origin, name, window)
 

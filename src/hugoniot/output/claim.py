@@ -29,7 +29,8 @@ def refuse_foreign(folder: pathlib.Path, overwrite: bool, checkpoints: Checkpoin
         raise FileTrouble(f"{folder}: holds {standing[0]} already; choose another folder (--out; out= in Python), or replace the run "
                           f"(--overwrite; overwrite=True)")
     if not _is_log(folder / "run.log"):
-        raise FileTrouble(f"{folder}: is not a run folder, but contains {standing[0]}; choose another with --out")
+        raise FileTrouble(f"{folder}: contains {standing[0]}, but no run.log written by hugoniot, so it is not recognised as a run folder; "
+                          "choose another with --out")
     _refuse_foreign_deck(folder, checkpoints)
 
 

@@ -122,7 +122,8 @@ def write_deck(problem: Any, kind: str | None = None) -> str:
 
 
 def _too_long(name: str) -> DeckError:
-    return DeckError.single(name, None, "deck", f"a deck cannot have more than {LARGEST} characters", "is this the right file?")
+    return DeckError.single(name, None, "deck", f"a TOML deck cannot have more than {LARGEST:,} characters".replace(",", " "),
+                            "is this the right file?")
 
 
 def parse_deck(text: str, name: str) -> dict:

@@ -38,7 +38,7 @@ def json_schema(kind: str = "lagrange1d") -> dict:
                                        "chemical energy per mass that burning releases (default: from the two equations of state)"},
         "reference_state": {"enum": list(CHOICES), "default": CHOICES[0], "description":
                             "mixture thermal_isolation: whether the isentrope of the unreacted explosive receives its share of all viscous "
-                            "heat (rolling), or stays fixed once a shock has passed (frozen)"},
+                            "heat (rolling), or stays fixed once a shock has passed (frozen); with the solver fronts always frozen"},
         "library": {"type": "string", "description": "name of the library's material of the same substance, for its spall strength and "
                     "optical data, which are not part of the laws (default: base)"},
         "valid_up_to": number | {"unit": "m/s", "description":

@@ -292,7 +292,7 @@ def _burn_defects(material: Material) -> list[tuple[tuple, str]]:
     found: list[tuple[tuple, str]] = []
     if material.reference_state == ROLLING:
         found.append((("reference_state",), f"has reference_state = \"rolling\"; {NAME} keeps the state behind its tracked shocks: "
-                      "leave reference_state out, or use \"frozen\""))
+                      "use \"frozen\""))
     if material.unreacted is not None and flagged(material.unreacted, "remembers"):
         found.append((("unreacted",), f"keeps the pores of its unreacted explosive crushed, which {NAME} does not follow: their "
                       "release is not an isentrope of the law; use lagrange1d"))

@@ -33,7 +33,7 @@ _CODE_PRESSURE = 1e11    # Pa: Mbar, in which the pressure coefficient of SG is 
 def read_yaml(text: str, file: str, folders: Sequence[Path] = (Path(),)) -> KoDeck:
     """The deck in a text of YAML; folders: where the paths of its tables may begin, in this order. Raises `DeckError`."""
     if len(text) > LARGEST:
-        raise DeckError.single(file, None, "deck", f"a deck cannot have more than {LARGEST} characters")
+        raise DeckError.single(file, None, "deck", f"a YAML deck cannot have more than {LARGEST:,} characters".replace(",", " "))
     try:
         _check_size(text, file)
         raw = yaml.safe_load(text)

@@ -203,8 +203,9 @@ def _targets(name, value, ahead: Initial, direction: int):
     if mode in (jump.BY_PARTICLE_VELOCITY, jump.BY_SHOCK_VELOCITY):
         values = direction * (values - ahead.velocity)
         if (values < 0.0).any():
-            raise OutOfRange(f"a {name.replace('_', ' ')} of {values.min():.6g} m/s relative to the material ahead, along the shock, "
-                             "would expand it: a Hugoniot is valid in compression only; use an isentrope for release")
+            raise OutOfRange(f"a {name.replace('_', ' ')} of {values.min():.6g} m/s relative to the material ahead, in the "
+                             "direction in which the shock travels, would expand it: a Hugoniot is valid in compression only; use an "
+                             "isentrope for release")
         if mode == jump.BY_SHOCK_VELOCITY and (values == 0.0).any():
             raise OutOfRange("the shock velocity cannot be zero: a shock is faster than sound in the material ahead")
     if mode == jump.BY_PRESSURE and (values < ahead.pressure).any():

@@ -134,7 +134,7 @@ class MixtureState:
         arrays such as v_r_e (v_r by e; the last letter is v, e or l, the burn fraction). OutOfRange at burn fraction 0."""
         if np.any(self.burn_fraction <= 0.0):
             raise OutOfRange("the derivatives of the products' state with respect to volume and energy are infinite at burn fraction 0: "
-                             "give a positive one, or use vanishing_series")
+                             "give a positive burn fraction, or use vanishing_series")
         return contract.PhaseSlopes(*np.moveaxis(self._each(contract.phase_slopes), -1, 0))
 
 
@@ -173,7 +173,8 @@ def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
     if bad.size:
         j = bad[0]
         raise NoSolution(f"no mixture state at density {rho.flat[j]:.6g} kg/m^3, energy {e.flat[j]:.6g} J/kg, burn fraction "
-                         f"{lam.flat[j]:.6g}: {contract.MEANING[out[5, j]]} ({bad.size} of {rho.size} states)")
+                         f"{lam.flat[j]:.6g}: {contract.MEANING[out[5, j]]}"
+                         + (f" ({bad.size} of the {rho.size} states fail)" if rho.size > 1 else ""))
     return MixtureState(par, rho, e, lam, *(row.reshape(rho.shape) for row in out))
 
 

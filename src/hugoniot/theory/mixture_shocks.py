@@ -41,7 +41,8 @@ def reacting_hugoniot(upstream: MixtureState, pressures, reacted: float | Callab
     more = np.array([reacted(float(x)) if callable(reacted) else float(reacted) for x in p])
     lam_u = float(upstream.burn_fraction)
     if not ((more >= 0.0) & (lam_u + more <= 1.0 + 1e-12)).all():
-        raise OutOfRange(f"the mass fraction that burns in the shock must lie between 0 and {1.0 - lam_u:.6g}")
+        raise OutOfRange(f"the mass fraction that burns in the shock must lie between 0 and {1.0 - lam_u:.6g}, got "
+                         + ", ".join(f"{x:.6g}" for x in more[~((more >= 0.0) & (lam_u + more <= 1.0 + 1e-12))][:3]))
     if not more.any() and lam_u > 0.0:
         return frozen_hugoniot(upstream, p)
     par, u = upstream.par, upstream.mixed()

@@ -232,7 +232,7 @@ def check_flips(folder):
 @pytest.mark.parametrize("name", ["fitted.toml", "fit.json", "posterior.csv", "residuals.csv", "report.html", ".fit.json.part", "thesis.tex"])
 def test_a_file_that_no_fit_wrote_is_not_replaced(tmp_path, name):
     (tmp_path / name).write_text('{"mine": 1}')
-    with pytest.raises(FileTrouble, match="not the folder of a fit|not written by a fit"):
+    with pytest.raises(FileTrouble, match="as the folder of a fit|not a file of a fit|not written by a fit"):
         claimed(tmp_path)
     assert (tmp_path / name).read_text() == '{"mine": 1}'
 

@@ -83,7 +83,7 @@ def test_a_case_answers_pop_plots_beside_its_own_run(coarse):
 
 
 @pytest.mark.parametrize("head, row, words", [
-    ("pressure [GPa], distance", (15, 3), "not a column of a Pop plot"), ("pressure [GPa], run [mm]", (15, 3), "not a column of a Pop plot"),
+    ("pressure [GPa], distance", (15, 3), "'distance' has no unit"), ("pressure [GPa], run [mm]", (15, 3), "not a column of a Pop plot"),
     ("pressure [mm], distance [mm]", (15, 3), "GPa|pressure|kind|unit"), ("pressure [GPa], distance [mm]", (15, -3), "above 0"),
     ("pressure [GPa], distance [mm]", (15, 3, 4), "values: 3, column headers: 2")])
 def test_bad_pop_plots_are_refused(coarse, tmp_path, inline, head, row, words):

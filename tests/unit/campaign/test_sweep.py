@@ -129,7 +129,7 @@ def test_a_torn_journal_loses_its_last_line_only(deck, tmp_path, inline):
 def test_a_file_that_no_sweep_wrote_is_not_replaced(deck, tmp_path, inline, name):
     (tmp_path / "s").mkdir()
     (tmp_path / "s" / name).write_text("precious")
-    with pytest.raises(FileTrouble, match="not the folder of a sweep"):
+    with pytest.raises(FileTrouble, match="no cases.jsonl written by a sweep, so it is not recognised as the folder of one"):
         swept(deck, tmp_path / "s", inline, vary=[SPEEDS])
     assert {path.name: path.read_text() for path in (tmp_path / "s").iterdir()} == {name: "precious"}
 
@@ -274,13 +274,13 @@ def test_a_folder_that_is_no_sweep_stays_as_it_is(deck, tmp_path, inline):
     mine = tmp_path / "mine"
     mine.mkdir()
     (mine / "thesis.tex").write_text("x")
-    with pytest.raises(FileTrouble, match="not the folder of a sweep, but contains thesis.tex"):
+    with pytest.raises(FileTrouble, match="contains thesis.tex, but no cases.jsonl written by a sweep"):
         swept(deck, mine, inline, vary=[SPEEDS])
     assert os.listdir(mine) == ["thesis.tex"]
     other = tmp_path / "other"
     other.mkdir()
     (other / JOURNAL).write_text("my cases\n")
-    with pytest.raises(FileTrouble, match="not the folder of a sweep, but contains cases.jsonl"):
+    with pytest.raises(FileTrouble, match="contains cases.jsonl, but no cases.jsonl written by a sweep"):
         swept(deck, other, inline, vary=[SPEEDS])
     assert (other / JOURNAL).read_text() == "my cases\n"
     file = tmp_path / "file"

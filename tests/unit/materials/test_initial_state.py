@@ -59,7 +59,7 @@ def test_a_pressure_the_law_has_not_is_refused():
 def test_a_state_below_absolute_zero_is_refused():
     """A solid compressed without pressure has lost more energy than all its heat; with a temperature the same density is a state."""
     copper = MieGruneisen(8930.0, 3940.0, 1.489, 1.99, 385.0)
-    with pytest.raises(OutOfRange, match="9500 kg/m3 and 0 Pa would be a state at -[0-9]+ K, below absolute zero; give its temperature"):
+    with pytest.raises(OutOfRange, match="9500 kg/m3 and 0 Pa would be a state at -[0-9]+ K, below absolute zero; give the density and a temperature"):
         initial_state(copper, density=9500.0)
     rho, e = initial_state(copper, density=9500.0, temperature_=300.0)
     assert contract.temperature(rho, e, copper) == pytest.approx(300.0) and contract.pressure(rho, e, copper) > 9e9

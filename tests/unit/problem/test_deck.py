@@ -192,7 +192,7 @@ def test_a_file_that_is_no_deck_is_not_read_to_its_end(tmp_path):
     path = tmp_path / "result.toml"
     with path.open("wb") as file:
         file.truncate(10**12)
-    with pytest.raises(DeckError, match="a deck cannot have more than [0-9]+ characters; is this the right file"):
+    with pytest.raises(DeckError, match="a TOML deck cannot have more than [0-9 ]+ characters; is this the right file"):
         read_deck(path)
 
 

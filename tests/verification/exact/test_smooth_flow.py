@@ -29,6 +29,12 @@ def test_standing_wave_steepens_without_bound_at_breaking():
         solution(x, solution.numbers["breaking_time"])
 
 
+def test_the_last_time_of_a_solution_that_ends_in_a_singularity_is_just_below_it():
+    solution = SOLUTIONS["coggeshall_noh"](rate=-0.5)
+    with pytest.raises(OutOfRange, match="holds for times above 0 s to just below 2 s, not at 2 s"):
+        solution(np.array([1.0]), 2.0)
+
+
 @pytest.mark.parametrize("gamma", [1.2, 1.4, 5.0 / 3.0, 3.0])
 def test_piston_pulse_obeys_the_equations_and_keeps_its_mass(gamma):
     solution = SOLUTIONS["piston_pulse"](gamma, 1.3, 0.9, 0.08, 1.0)

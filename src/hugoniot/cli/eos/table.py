@@ -22,7 +22,7 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
     least, most = density_range(subject.material.eos)
     if not least <= low < high < most:
         raise OutOfRange(f"the law '{EOS.of(subject.material.eos).name}' is defined for densities from {max(least, 1e-6):.6g} to "
-                         f"{most:.6g} kg/m3, but --densities is {low:.6g} to {high:.6g}")
+                         f"{most:.6g} kg/m3, but --densities is {low:.6g} to {high:.6g} kg/m3")
     rho, t = np.linspace(low, high, points), _temperatures(temperatures, points)
     p, e = grid(subject.material, rho, t)
     if as_csv:

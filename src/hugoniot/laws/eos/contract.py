@@ -310,5 +310,7 @@ def require_temperature(par) -> None:
     if not gives(par, "temperature"):
         raise OutOfRange(f"{law.name}: this equation of state has no temperature; choose one that has, for instance mie_gruneisen")
     if not has_temperature(par):
-        raise OutOfRange(f"{law.name}: a temperature needs the specific heat (specific_heat, J/kg/K; for nonideal_gas also the "
-                         "reference_temperature), which is not given, or is 0")
+        if _lacks_specific_heat(par):
+            raise OutOfRange(f"{law.name}: a temperature needs the specific heat (specific_heat, J/kg/K), which is not given, or is 0")
+        raise OutOfRange(f"{law.name}: a temperature needs the temperature of the reference state (reference_temperature, K), which is not "
+                         "given")

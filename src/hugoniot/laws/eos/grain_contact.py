@@ -123,14 +123,14 @@ def build(base, grain_density, grain_modulus, grain_modulus_slope):
     """Parameters from a deck; OutOfRange unless the grains are denser than the powder, and stiffen."""
     powder = base_reference_state(base)[0]
     if not powder < grain_density < NO_LIMIT:
-        raise OutOfRange(f"grain_contact: grain_density must exceed the density of the powder, {powder:.6g} kg/m3, got "
-                         f"{grain_density:g} kg/m3")
+        raise OutOfRange(f"grain_contact: grain_density must be finite and exceed the density of the powder, {powder:.6g} kg/m3, "
+                         f"got {grain_density:g} kg/m3")
     if not 0.0 < grain_modulus < NO_LIMIT:
         raise OutOfRange("grain_contact: grain_modulus, the bulk modulus of the grains, must be positive and finite, got "
                          f"{grain_modulus:g} Pa")
     if not 1.0 < grain_modulus_slope < NO_LIMIT:
-        raise OutOfRange("grain_contact: grain_modulus_slope, the pressure derivative of the grains' bulk modulus, must exceed 1, "
-                         f"got {grain_modulus_slope} (4 s - 1 of a linear Hugoniot)")
+        raise OutOfRange("grain_contact: grain_modulus_slope, the pressure derivative of the grains' bulk modulus, must be finite and "
+                         f"exceed 1, got {grain_modulus_slope:g} (4 s - 1 of a linear Hugoniot)")
     return GrainContact(base, grain_density, grain_modulus, grain_modulus_slope, grain_density)
 
 

@@ -135,11 +135,11 @@ def build(rho0, c0, s, gamma0, gamma_form=None, gamma_slope=math.nan, specific_h
     Where rho Gamma is not constant they are those of the law mie_gruneisen_linear_gamma, and so they are with gamma0 > 8 s, a Hugoniot so
     straight that the closed form of the temperature would cancel; pressures are the same in both.
     """
-    for name, value in (("rho0", rho0), ("c0", c0)):
+    for name, value, unit in (("rho0", rho0, "kg/m3"), ("c0", c0, "m/s")):
         if not value > 0.0:
-            raise OutOfRange(f"mie_gruneisen: {name} must be positive, got {value}")
+            raise OutOfRange(f"mie_gruneisen: {name} must be positive, got {value:g} {unit}")
     if not (s >= 0.0 and gamma0 > 0.0):
-        raise OutOfRange(f"mie_gruneisen: needs s >= 0 and gamma0 > 0, got s = {s}, gamma0 = {gamma0}")
+        raise OutOfRange(f"mie_gruneisen: needs s >= 0 and gamma0 > 0, got s = {s:g}, gamma0 = {gamma0:g}")
     slope = gamma_slope_of(gamma_form, gamma0, gamma_slope)
     if slope == 0.0 and gamma0 <= 8.0 * s:
         return MieGruneisen(rho0, c0, s, gamma0, specific_heat, reference_temperature)

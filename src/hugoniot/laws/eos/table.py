@@ -164,8 +164,9 @@ def _grid(name, values):
         raise OutOfRange(f"table: value {bad[0] + 1} of the {name} grid is not a number")
     bad = np.flatnonzero(np.diff(grid) <= 0.0)
     if bad.size:
-        raise OutOfRange(f"table: the {name} grid must increase, but value {bad[0] + 2} ({grid[bad[0] + 1]:.6g}) does not exceed "
-                         f"value {bad[0] + 1} ({grid[bad[0]]:.6g})")
+        unit = {"density": "kg/m3", "temperature": "K"}[name]
+        raise OutOfRange(f"table: the {name} grid must increase, but value {bad[0] + 2} ({grid[bad[0] + 1]:.6g} {unit}) does not exceed "
+                         f"value {bad[0] + 1} ({grid[bad[0]]:.6g} {unit})")
     return grid
 
 

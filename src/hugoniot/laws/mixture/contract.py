@@ -37,7 +37,7 @@ NOT_FINITE = 4.0        # set by the Python face when a number is not finite
 MEANING = {
     CONVERGED: "converged", NOT_CONVERGED: "the iteration limit was reached",
     NO_BRACKET: "no state of mechanical equilibrium exists between the compression limits of the phases",
-    UNSTABLE: "the sound speed is imaginary at the root", NOT_FINITE: "a number is not finite",
+    UNSTABLE: "its sound speed would be imaginary", NOT_FINITE: "a number is not finite",
 }
 
 

@@ -25,8 +25,8 @@ from hugoniot.laws.riemann.medium import Frozen, limits_of, name_of
 LARGEST, SMALLEST = 0.4, 1e-4    # steps in ln(rho)
 TOLERANCE = 1e-14
 NOTHING_LEFT = 1e-60             # density over the one ahead at which an expansion counts as complete
-SPRAY = ("law '{}' is stretched to the largest tension it supports, {:.6g} Pa: no wave can travel there, and a surface would open inside "
-         "the body (use lagrange1d, or a law that supports more tension)")
+SPRAY = ("the material is stretched to the largest tension that its law '{}' supports, {:.6g} Pa: no wave can travel there, and a "
+         "surface would open inside the body (use lagrange1d, or a law that supports more tension)")
 
 
 def _collocation(stages: int):

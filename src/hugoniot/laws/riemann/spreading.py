@@ -33,7 +33,7 @@ SMALLEST = 1e-9       # step in ln(rho): the slope of a crush curve may begin wi
 SHORT = 1e-3         # of the last step of a fan: so close to its end the impedance is still falling, or a shock is due
 FEEBLE = 1e-6         # of the stiffness: rise of a jump whose speed is that of sound but for rounding
 CARELESS = 1e-6       # of a squared speed
-OVERTAKEN = ("law '{}': the shock that closes pores to {:.6g} Pa would outrun the sound behind it, because there the uncompacted material "
+OVERTAKEN = ("law '{}': the compaction shock to {:.6g} Pa would outrun the sound behind it, because the uncompacted material there "
              "is hardly less dense than the compacted one; use a stiffer matrix (matrix_modulus), or lagrange1d")
 REVERSED = "law '{}': a compaction wave would spread ahead of its elastic precursor; use lagrange1d"
 

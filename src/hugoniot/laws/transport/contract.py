@@ -99,7 +99,9 @@ def _law(family: Registry, given):
         par = law.build(**{**law.defaults, **{name: float(value) for name, value in table.items()}})
     for name, value in zip(par._fields, par):
         if name not in ("exponent", "sutherland_temperature") and not 0.0 < value < float("inf"):
-            raise OutOfRange(f"{family.family} law '{law.name}': {name} must be a positive number, got {value:g}; "
+            unit = law.units[name]
+            raise OutOfRange(f"{family.family} law '{law.name}': {name} must be a positive number, got {value:g}"
+                             + (f" {unit}; " if unit != "1" else "; ")
                              + ("leave conduction out (law 'none') for a fluid that does not conduct" if family is CONDUCTION
                                 else "a shock without viscosity has no structure"))
     return par

@@ -39,7 +39,7 @@ def _unknown_chain(name: str, mesh: Blocks, joints: bool = False) -> tuple[str, 
     if name in mesh.joints:
         a, b = name.split("/")
         return f"'{printable(name)}' is a joint inside the material", f"boundaries lie outside; '{a}' and '{b}' are joined there"
-    return f"no chain '{printable(name)}'", nearest(name, known)
+    return f"no side '{printable(name)}'", nearest(name, known)
 
 
 def read_boundaries(rows: Sequence, mesh: Blocks | None, collector: Collector) -> tuple[Boundary2D, ...]:
@@ -53,7 +53,7 @@ def read_boundaries(rows: Sequence, mesh: Blocks | None, collector: Collector) -
         for name in row.on:
             if name in seen:
                 where = "twice here" if seen[name] == i else f"by boundary {seen[name] + 1} already"
-                collector.add((*path, "on"), f"'{printable(name)}' is named {where}", "each edge has one boundary")
+                collector.add((*path, "on"), f"'{printable(name)}' is named {where}", "each side has one boundary")
             seen.setdefault(name, i)
         boundary = _boundary(row, collector, path)
         if boundary is None:
@@ -140,7 +140,7 @@ def _gauge(row, collector: Collector, path: tuple) -> Gauge2D | None:
         direction = unit_vector(row.direction, collector, (*path, "direction"))
         return None if direction is None else Gauge2D(row.name, "slit", row.through, " ".join(row.on.split()), direction)
     has = f"; got {' and '.join(sorted(given))}" if given else ""
-    collector.add(path, "a gauge needs one of: 'at' (a material point), 'on' (the mean over a chain), or 'on', 'through' and 'direction' "
+    collector.add(path, "a gauge needs one of: 'at' (a material point), 'on' (the mean over a side), or 'on', 'through' and 'direction' "
                   f"(a line of sight){has}",
                   'for example at = ["1 mm", "2 mm"]')
     return None
@@ -160,7 +160,7 @@ def _wrong_place(gauge: Gauge2D, mesh: Blocks) -> tuple[str, str] | None:
     if gauge.kind == "slit" and not crossings(mesh.nodes, mesh.chains[gauge.on].edges, gauge.at, gauge.direction).size:
         ends = mesh.nodes[:, mesh.chains[gauge.on].nodes[[0, -1]]].T
         where = " to ".join(f"({x:g}, {y:g})" for x, y in np.asarray(ends))
-        return f"the line of sight does not cross '{printable(gauge.on)}' at t = 0", f"that chain runs from {where} m"
+        return f"the line of sight does not cross '{printable(gauge.on)}' at t = 0", f"that side runs from {where} m"
     return None
 
 

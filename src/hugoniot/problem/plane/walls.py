@@ -27,7 +27,8 @@ def wall(problem: Problem2D, name: str) -> Rigid2D:
     mesh = problem.mesh
     normal = mesh.straight_normal(mesh.chains[name])
     if normal is None:
-        raise OutOfRange(f"the boundary '{name}' is a wall, but it is not straight; give each straight part a chain of its own")
+        raise OutOfRange(f"the boundary '{name}' is a wall, but it is not straight; divide the block so that each straight part "
+                         "is a side of its own")
     middle = mesh.nodes[:, mesh.chains[name].nodes].mean(axis=1)
     along = np.array([-normal[1], normal[0]])
     reach = BEYOND * float(np.ptp(mesh.nodes, axis=1).max())

@@ -80,7 +80,8 @@ def boundary_tables(problem: Problem2D, numbering: Numbering) -> Tables:
         if boundary.kind == "wall":
             normal = mesh.straight_normal(chain)
             if normal is None:
-                raise OutOfRange(f"the boundary '{name}' is a wall, but it is not straight; give each straight part a chain of its own")
+                raise OutOfRange(f"the boundary '{name}' is a wall, but it is not straight; divide the block so that each straight part "
+                                 "is a side of its own")
             directions = [normal] if boundary.slip else [normal, np.array([-normal[1], normal[0]])]
             for node in chain.nodes.tolist():
                 for direction in directions:

@@ -239,7 +239,8 @@ class ShockStructure(NothingToAdd):
         if not found.get("cells_per_thickness", math.inf) < FEWEST_CELLS:
             return []
         return [f"the shock has {found['cells_per_thickness']:.2g} cells in its thickness: below {FEWEST_CELLS} the thickness is the "
-                f"grid's rather than the shock's; use cells of at most 1/{FEWEST_CELLS} of the steady one (hugoniot structure profile)"]
+                f"grid's rather than the shock's; use cells of at most 1/{FEWEST_CELLS} of the thickness of the "
+                "steady shock (hugoniot structure profile)"]
 
     # -- checkpoints -----------------------------------------------------------------------------------------
     _KEPT = ("U", "rest", "passed", "passed_rest", "control", "counters", "start_totals", "ends")

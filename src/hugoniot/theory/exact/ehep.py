@@ -44,7 +44,8 @@ def ehep(detonation_velocity: float = 8500.0, density: float = 1600.0, piston: f
     """
     d, up, length_ = detonation_velocity, piston, length
     if min(d, density, length) <= 0.0 or not 0.0 <= up < d / 4.0:
-        raise OutOfRange(f"the escaping slab needs positive D, density and length, and 0 <= piston < D/4 = {d / 4.0:g}")
+        raise OutOfRange(f"the escaping slab needs positive D, density and length, and 0 <= piston < D/4 = {d / 4.0:g} m/s, got D = "
+                         f"{d:g} m/s, density = {density:g} kg/m3, length = {length:g} m, piston = {up:g} m/s")
     start = length_ / d
     meeting = (length_ + 0.5 * d * start) / (up + 0.5 * d)
 

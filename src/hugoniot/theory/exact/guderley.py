@@ -226,7 +226,7 @@ def guderley(geometry: str = "spherical", gamma: float = 1.4, density: float = 1
     """
     if density <= 0.0 or amplitude <= 0.0:
         raise OutOfRange(f"a converging shock needs positive density and amplitude, got density = {density:g} kg/m3 and amplitude = "
-                         f"{amplitude:g}")
+                         f"{amplitude:g} m/s^alpha")
     flow = converging(geometry, gamma)
     b, pieces = 1.0 / flow.alpha, flow.pieces
     deepest = flow.reflected * np.exp(_REACH)

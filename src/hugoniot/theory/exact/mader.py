@@ -37,7 +37,8 @@ def mader(detonation_velocity: float = 8000.0, density: float = 1875.0, gamma: f
     d = detonation_velocity
     if gamma <= 1.0 or min(d, density) <= 0.0 or not -d / (gamma - 1.0) < piston <= d / (gamma + 1.0):
         raise OutOfRange("the Taylor wave needs gamma > 1, positive D and density, and a piston between the escape speed -D/(gamma-1) "
-                         f"and the CJ velocity D/(gamma+1) = {d / (gamma + 1):g}")
+                         f"and the CJ velocity D/(gamma+1) = {d / (gamma + 1):g} m/s, got gamma = {gamma:g}, D = {d:g} m/s, "
+                         f"density = {density:g} kg/m3, piston = {piston:g} m/s")
     cj_density, cj_sound, cj_pressure = density * (gamma + 1.0) / gamma, gamma * d / (gamma + 1.0), density * d * d / (gamma + 1.0)
     tail = 0.5 * d + 0.5 * (gamma + 1.0) * piston
 

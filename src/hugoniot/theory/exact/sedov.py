@@ -150,8 +150,9 @@ def sedov(geometry: str = "spherical", gamma: float = 1.4, energy: float = 0.851
     s), peak_density (behind the shock). Valid for times above 0.
     """
     if gamma <= 1.0 or energy <= 0.0 or density <= 0.0:
-        raise OutOfRange(f"a point explosion needs gamma > 1, energy > 0 and density > 0, got gamma = {gamma:g}, energy = {energy:g}, "
-                         f"density = {density:g}")
+        unit = {"planar": "J/m2", "cylindrical": "J/m", "spherical": "J"}[geometry]
+        raise OutOfRange(f"a point explosion needs gamma > 1, energy > 0 and density > 0, got gamma = {gamma:g}, energy = {energy:g} "
+                         f"{unit}, density = {density:g} kg/m3")
     d = DIMENSION[geometry]
     profile_of = Profile(gamma, d)
     alpha = profile_of.energy_integral()

@@ -37,10 +37,17 @@ class Solution:
 
     def _checked(self, time: float) -> float:
         if not self.times[0] <= time <= self.times[1]:
-            start = "above 0 s" if self.times[0] == 1e-300 else f"from {self.times[0]:g} s"
-            end = "" if math.isinf(self.times[1]) else f" to {self.times[1]:g} s"
-            raise OutOfRange(f"{self.title}: the solution holds for times {start}{end}, not at {time:g} s")
+            raise OutOfRange(f"{self.title}: the solution holds for times {self.span}, not at {time:.10g} s")
         return float(time)
+
+    @property
+    def span(self) -> str:
+        """The times at which the solution holds, in words; one that ends in a singularity has a last time just below it."""
+        first, last = self.times
+        start = "above 0 s" if first == 1e-300 else f"from {first:g} s"
+        if math.isinf(last):
+            return start if first == 1e-300 else f"{start} on"
+        return f"{start} to {'just below ' if float(f'{last:.10g}') > last else ''}{last:.10g} s"
 
     def __call__(self, positions, time: float) -> dict[str, np.ndarray]:
         """Fields (names of `core.fields`) at an array of positions at one time; each value has the shape of `positions`.

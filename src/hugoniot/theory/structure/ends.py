@@ -93,7 +93,7 @@ def find_ends(material, upstream: hugoniot.Initial | None = None, *, mach: float
         if given:
             raise OutOfRange(f"give the strength of a shock by mach or by {', '.join(given)}, not by both")
         if not (math.isfinite(mach) and mach > 1.0):
-            raise OutOfRange(f"Mach {mach:g} is not a shock: its speed must exceed the sound speed ahead, {c1:.6g} m/s; "
+            raise OutOfRange(f"Mach {mach:g} is not a shock: its speed must be finite and exceed the sound speed ahead, {c1:.6g} m/s; "
                              "give a finite mach above 1")
         given = {"shock_velocity": mach * c1}
     if len(given) != 1:

@@ -105,8 +105,8 @@ def test_a_law_that_ends_below_the_density_of_its_grains_keeps_its_end():
 
 
 @pytest.mark.parametrize("given, message", [
-    ((90.0, 23.4e9, 4.34), "must exceed the density of the powder, 100 kg/m3"), ((math.inf, 23.4e9, 4.34), "grain_density"), ((2200.0, 0.0, 4.34), "grain_modulus"),
-    ((2200.0, math.nan, 4.34), "grain_modulus"), ((2200.0, 23.4e9, 1.0), "must exceed 1")])
+    ((90.0, 23.4e9, 4.34), "must be finite and exceed the density of the powder, 100 kg/m3"), ((math.inf, 23.4e9, 4.34), "grain_density"), ((2200.0, 0.0, 4.34), "grain_modulus"),
+    ((2200.0, math.nan, 4.34), "grain_modulus"), ((2200.0, 23.4e9, 1.0), "must be finite and exceed 1")])
 def test_grains_that_cannot_be_are_refused(given, message):
     with pytest.raises(OutOfRange, match=message):
         EOS.get("grain_contact").build(SILICA, *given)

@@ -131,7 +131,7 @@ def broken(made, **change):
 
 @pytest.mark.parametrize("change, message", [
     ({"pressure_table": ((3, 4), math.nan)}, r"no pressure is given at density 2750 kg/m3"), ({"energy_table": ((5, 9), 0.0)}, "must rise with temperature"),
-    ({"density": (6, 2600.0)}, "value 7 .2600. does not exceed value 6"), ({"temperatures": (0, math.inf)}, "value 1 of the temperature grid is not a number"),
+    ({"density": (6, 2600.0)}, "value 7 .2600 kg/m3. does not exceed value 6"), ({"temperatures": (0, math.inf)}, "value 1 of the temperature grid is not a number"),
     ({"pressure_table": ((20, 10), 1e12)}, r"squared sound speed is not positive at density")])
 def test_unsound_tables_are_refused_with_the_place(solid_table, change, message):
     with pytest.raises(OutOfRange, match=message):

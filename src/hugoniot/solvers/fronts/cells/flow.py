@@ -202,7 +202,7 @@ class Flow:
         if w[MEAN + P, k] < 0.0 and w[MEAN + C, k] == 0.0:
             law = self.laws[mesh.region[k] % len(self.laws)]
             name, numbers = EOS.of(getattr(law, "eos", law)).name, self.work.numbers
-            raise UnphysicalState(SPRAY.format(name, -w[MEAN + P, k]), "end the run earlier, or use lagrange1d", k, "",
+            raise UnphysicalState(SPRAY.partition(" (")[0].format(name, -w[MEAN + P, k]), "end the run earlier, or use lagrange1d", k, "",
                                   float(mesh.middle[k]), float(numbers[tables.TIME]), int(numbers[tables.CYCLE]))
         raise UnphysicalState(f"a cell of density {rho:.6g} kg/m3 and energy {e:.6g} J/kg has no valid state (velocity {u:.6g} m/s)",
                               "stay inside the range of the equation of state, use more zones or a smaller solver.options.courant",
