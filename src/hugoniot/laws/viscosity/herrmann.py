@@ -9,7 +9,8 @@ $$q = \rho\left\{B_2\,\Delta x\,c\,\frac{\dot\rho}{\rho} + \left[B_1\,\Delta x\,
 
 The velocity difference across the zone, with its sign reversed, takes the place of $\Delta x\,\dot\rho/\rho$; in planar flow the two are
 equal. The law is therefore identical to `landshoff`. The report gives no values of $B_1$ and $B_2$, so the defaults are those of
-`landshoff`. """
+`landshoff`.
+"""
 
 from typing import NamedTuple
 
