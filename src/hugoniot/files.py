@@ -144,7 +144,7 @@ def csv_rows(text: str, name, first: int = 1, most: int | None = None) -> list[t
     most          the lines that the text may have; one that has more is not begun with
     """
     if most is not None and max(text.count("\n"), text.count("\r")) + sum(map(text.count, _RARE_ENDS)) > most:
-        raise DeckError.single(name, most + 1, "row", f"more than {most:,} lines, which is the limit".replace(",", " "),
+        raise DeckError.single(name, most + 1, "row", f"more than {most:,}".replace(",", " ") + " lines, which is the limit",
                                "use fewer: values between them are interpolated")
     reader = csv.reader(text.splitlines())
     try:

@@ -165,7 +165,7 @@ def test_a_run_is_not_overwritten_unasked(whole, tmp_path):
 
 def test_the_folder_of_somebodys_deck_is_never_taken(tmp_path):
     (tmp_path / "deck.toml").write_text("precious")
-    with pytest.raises(FileTrouble, match="not a run folder"):
+    with pytest.raises(FileTrouble, match="not recognised as a run folder"):
         RunFolder(tmp_path, overwrite=True)
     assert (tmp_path / "deck.toml").read_text() == "precious"
 
