@@ -185,8 +185,11 @@ def test_a_front_slower_than_its_products_is_told():
     assert any("programmed front runs at 7000" in text and "7979" in text and "crushed" in text for text in warnings)
     published = slow.replace("comp_b", "pbx_9502").replace("7 km/s", "7607.8 m/s")
     fast = read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region=published).replace("comp_b", "pbx_9502")).warnings
-    assert any("7607.8" in text and "4.8 % too low" in text for text in fast)
+    assert any("7607.8" in text and "4.8 % below the CJ pressure" in text for text in fast)
     assert read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region="")).warnings == ()
+    for speed, warned in ((7978.0, True), (7979.5, False), (7983.0, False), (7985.0, True)):     # -0.023, -0.004, 0.039, 0.065 % of 7979.85
+        near = read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region=slow.replace("7 km/s", f"{speed} m/s"))).warnings
+        assert any("programmed front runs at" in text for text in near) == warned
 
 
 PRESSED = 'density = "1500 kg/m^3"\n'
