@@ -291,8 +291,9 @@ def index(entries: list, laws: dict[str, dict]) -> str:
              f"available sources, and its page gives the reasons. The library holds {counts['rows']} sets of constants "
              f"(*rows*), published or fitted by hugoniot, and {counts['measured_states']} measured shock states. "
              f"`hugoniot material search` finds {counts['searchable_materials']} "
-             f"materials, which include rows that are not curated. {counts['rows_unverified_against_print']} rows are quoted from memory, "
-             "not checked against the printed source; a warning says so wherever they are used.", ""]
+             f"materials, which include rows that are not curated. {counts['rows_unverified_against_print']} rows were taken "
+             "neither from a public file nor from the publication; a warning says \"not checked against the printed source\" wherever they are "
+             "used.", ""]
     heads = ("material", "kind", "density, kg/m³", "c0, m/s", "s", "equation of state", "strength law", "spall strength")
     lines += ["c0 and s are the intercept of the Hugoniot Us(up) and its slope at up = 0. Click on a heading to sort; type to filter.", "",
               "```{raw} html", '<input class="filter" type="search" placeholder="filter, such as metal or steinberg" '

@@ -12,9 +12,9 @@ from hugoniot.errors import DeckError
 app = typer.Typer(no_args_is_help=True, help="Search and show the materials library, in which every number has its source.\n\nA "
         "material is assembled from rows of data tables. A row has an id, such as U007, and can be shown by itself.",
                   epilog="Example: hugoniot material show copper", context_settings={"help_option_names": ["-h", "--help"]})
-_COUNTED = {"rows_unverified_against_print": "rows from memory, not checked against the printed source",
+_COUNTED = {"rows_unverified_against_print": "rows neither from a public file nor checked against the printed source",
             "rows_doubted_or_not_closing": "rows that are doubtful or miss their stated CJ state",
-            "curated_materials_with_unverified_constants": "curated materials with constants from memory"}
+            "curated_materials_with_unverified_constants": "curated materials with constants of such rows"}
 SHOWN = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m^3"), "1/Pa": (1e-9, "1/GPa")}
 
 
@@ -269,7 +269,7 @@ def _summary(as_json: bool) -> None:
     rows = [(_COUNTED.get(key, key.replace("_", " ")), str(value)) for key, value in counts.items() if not isinstance(value, dict)]
     echo_table(["of the library", "number"], rows)
     typer.echo("")
-    echo_table(["table", "rows", "from memory", "doubtful"],
+    echo_table(["table", "rows", "not checked", "doubtful"],
                [(name, str(t["rows"]), str(t["unverified"]), str(t["doubted"])) for name, t in counts["tables"].items()])
 
 

@@ -138,7 +138,7 @@ def _sources(entry: Entry, top: float) -> tuple[list[Curve], list[str]]:
 
 def _row_curve(row: Row, top: float) -> Curve | None:
     speed = partial(shock_velocity, row) if row.table == "us_up" else partial(material_hugoniot, library.find(row.id))
-    mark = " (from memory)" if row.status == "recalled" else " (doubtful)" if row.marks else ""
+    mark = " (not checked)" if row.status == "recalled" else " (doubtful)" if row.marks else ""
     up, us = _sample(speed, top)
     if len(up) < 2:
         return None

@@ -6,7 +6,7 @@ import re
 from hugoniot.materials.material import Material
 from hugoniot.materials.reach import FAR_BRANCH
 from hugoniot.materials.record import law_inside
-from hugoniot.materials.schema import Row
+from hugoniot.materials.schema import UNVERIFIED, Row
 from hugoniot.materials.tables import families
 
 # group of a constant's name -> heading
@@ -31,13 +31,12 @@ _TABLES = {"jwlb": "JWLB detonation products", "ignition_growth": "ignition and 
            "gurney": "Gurney velocity", "tillotson": "Tillotson", "pop_plot": "Pop plot"}
 _PLACE = re.compile(r"([\w.-]+/[\w.-]+)@([0-9a-f]{7,40})(?: \(gh-pages\))?(?::(.*))?", re.DOTALL)
 _ANOTHER = re.compile(r" \+ |; | and (?=[\w.-]+/[\w.-]+@)")
-MEMORY = "quoted from memory, not checked against the printed source"
 
 
 def where_read(via: str) -> str:
     """Where a number was taken from, or how it was made, as a phrase: what a source's `via` says."""
     if via.startswith("recalled"):
-        return MEMORY
+        return UNVERIFIED
     if via == "us_up_points.csv" or via.startswith("least squares"):
         return "the measured states are in the library's table us_up_points.csv"
     if via.startswith("computed by the package"):
@@ -162,7 +161,7 @@ def row_summary(row: Row) -> str:
         text = f"crush curve: {row['model']}"
     else:
         text = _TABLES.get(row.table, row.table.replace("_", " "))
-    return text + (" (from memory)" if row.status == "recalled" else " (doubtful)" if row.marks else "")
+    return text + (" (not checked)" if row.status == "recalled" else " (doubtful)" if row.marks else "")
 
 
 def hugoniot_text(row: Row) -> str:

@@ -254,7 +254,7 @@ class _Reader:
         if said["status"] not in (*schema.STATUSES, "user"):
             self.collector.add((*path, "status"), f"unknown status '{said['status']}'", f"known: {', '.join((*schema.STATUSES, 'user'))}")
         if said["status"] == "recalled":
-            self.marks.append(f"{quantity} is quoted from memory, {schema.UNVERIFIED} ({said['source']})")
+            self.marks.append(f"{quantity} is {schema.UNVERIFIED} ({said['source']})")
         self.sources.append(Source(quantity, number, unit, said["source"], said["via"], said["status"], said["note"]))
         return number
 

@@ -18,7 +18,7 @@ class Source:
     source        the publication
     via           the file or collection through which it was obtained, or ""
     status        "verified" (read in a public file), "corrected" (as verified, with an error of the file corrected), "derived" (computed
-                  by hugoniot), "recalled" (quoted from memory, not checked against the source) or "user" (of your own material)
+                  by hugoniot), "recalled" (from no file, not checked against the printed source) or "user" (of your own material)
     note          remarks, or ""
     """
 

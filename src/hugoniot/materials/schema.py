@@ -6,7 +6,7 @@ library and starting with the letter of its table, and says where its numbers co
     source    bibliographic origin as the public file states it
     via       the public file the numbers were read in (repository@commit:path)
     status    verified (read there, units converted) | corrected (a slip of that file was repaired, see note)
-              | derived (computed by the package) | recalled (from memory, not checked against the printed source)
+              | derived (computed by the package) | recalled (from no file, not checked against the printed source)
     note      remarks; what follows DOUBT: or DISAGREES: to the end of a note is shown wherever the row is used
 
 Nothing here imports more than the standard library: a material is shown in milliseconds.
@@ -117,7 +117,7 @@ class Row:
         """What must be seen wherever the row is used: sentences, empty for a row without blemish."""
         found = []
         if self.status == "recalled":
-            found.append(f"{self.title} is quoted from memory, {UNVERIFIED} ({self.source})")
+            found.append(f"{self.title} is {UNVERIFIED} ({self.source})")
         if self.doubt:
             kind = "is doubtful" if "DOUBT:" in self.note else "disagrees with other sources"
             found.append(f"{self.title} {kind}: {self.doubt}")

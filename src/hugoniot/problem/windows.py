@@ -74,6 +74,6 @@ def advice(problem: Problem) -> list[str]:
     for gauge in problem.gauges:
         for row in library.windows(names[gauge.window]) if gauge.window else ():
             if row.get("index_intercept") == gauge.window_factor and row.status == "recalled":
-                said.append(f"gauge '{gauge.name}': the window factor {gauge.window_factor:g} is quoted from memory ({row.source}), not "
-                            "checked against the source")
+                said.append(f"gauge '{gauge.name}': the window factor {gauge.window_factor:g} is not checked against the printed source "
+                            f"({row.source})")
     return said

@@ -8,7 +8,7 @@ from hugoniot.units import format_si
 
 _UNIT_SIGNS = ((" us", " µs"), (" um", " µm"), ("^2", "²"), ("^3", "³"), ("^-1", "⁻¹"), ("^-3", "⁻³"))
 _STATUS = {"verified": "read in the stated file", "corrected": "read in the stated file, a mistake corrected", "derived": "derived",
-           "recalled": "quoted from memory, not checked against the source", "user": "from the deck, or a default"}
+           "recalled": "not checked against the printed source", "user": "from the deck, or a default"}
 _FAMILIES = {"eos": "equation of state", "viscosity": "artificial viscosity", "transport": "shear viscosity",
              "conduction": "heat conduction"}
 MOST_EVENTS = 200

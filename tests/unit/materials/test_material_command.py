@@ -50,7 +50,7 @@ def test_explosives_as_gamma_laws_detonate_as_their_products_do(capsys):
 
 def test_summary_counts_what_is_unverified(capsys):
     code, out, _ = call(capsys, "list", "--summary")
-    assert code == 0 and "rows from memory, not checked against the printed source" in out
+    assert code == 0 and "rows neither from a public file nor checked against the printed source" in out
     counts = json.loads(call(capsys, "list", "--summary", "--json")[1])
     assert counts["rows_unverified_against_print"] == sum(t["unverified"] for t in counts["tables"].values()) == 47
     assert counts["rows"] == sum(t["rows"] for t in counts["tables"].values())

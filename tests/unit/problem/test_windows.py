@@ -39,7 +39,7 @@ window = "glass"
 def test_the_window_factor_follows_the_material_the_window_is_based_on_not_its_name():
     named = DECK.replace('"LiF"', '"w"')
     deck = read_deck_text(named + '[material.w]\nbase = "LiF"\n')
-    assert deck.problem.gauges[0].window_factor == 1.2769 and any("quoted from memory" in w for w in deck.warnings)
+    assert deck.problem.gauges[0].window_factor == 1.2769 and any("is not checked against" in w for w in deck.warnings)
     again = read_deck_text(deck.resolved)
     assert again.problem == deck.problem and again.problem.materials["w"].library == "lithium_fluoride"
     with pytest.raises(DeckError, match="does not say how the index"):
@@ -52,7 +52,7 @@ def test_the_apparent_velocity_is_that_of_the_optical_path(tmp_path):
     """-d/dt of the path in vacuum before the far surface, of n dx over the zones, and of the gap that opens behind the window."""
     deck = read_deck_text(DECK + '[output]\nsnapshots = "20 ns"\nreport = false\n')
     a, b = (library.windows("LiF")[-2][key] for key in ("index_intercept", "index_slope"))
-    assert deck.problem.gauges[0].window_factor == a == 1.2769 and any("quoted from memory" in w for w in deck.warnings)
+    assert deck.problem.gauges[0].window_factor == a == 1.2769 and any("is not checked against" in w for w in deck.warnings)
     assert read_deck_text(deck.resolved).problem == deck.problem
     found = run(deck.problem, tmp_path / "run")
     rows, snaps = found.arrays("gauges"), found.arrays("snapshots")
@@ -76,7 +76,7 @@ def test_the_apparent_velocity_is_that_of_the_optical_path(tmp_path):
 def test_plexiglas_shows_the_velocity_of_the_interface_itself():
     """Gladstone and Dale: the path lost to the window's thinning is gained by its index."""
     deck = read_deck_text(DECK.replace('"LiF"', '"pmma"'))
-    assert deck.problem.gauges[0].window_factor == 1.0 and any("quoted from memory" in w for w in deck.warnings)
+    assert deck.problem.gauges[0].window_factor == 1.0 and any("is not checked against" in w for w in deck.warnings)
     for wavelength, index in ((5.32e-7, 1.49341), (1.55e-6, 1.4809)):
         row = next(r for r in library.windows("PMMA") if "index_slope" in r and r["wavelength"] == wavelength)
         assert row["index_intercept"] + 1186.0 * row["index_slope"] == pytest.approx(index, abs=1e-4)
@@ -114,7 +114,7 @@ def test_a_wrong_window_is_found_in_the_deck_behind_a_gauge_with_two_sides():
 def test_quartz_has_an_index_under_compression_at_one_wavelength():
     """Z-cut, elastic; at another wavelength the message names the one there is. Its line in the library is that of strong shocks: told."""
     seen = read_deck_text(DECK.replace('"LiF"', '"quartz"').replace('window = "glass"', 'window = "glass"\nwavelength = "1550 nm"'))
-    assert seen.problem.gauges[0].window_factor == 1.087 and not any("quoted from memory" in w for w in seen.warnings)
+    assert seen.problem.gauges[0].window_factor == 1.087 and not any("is not checked against" in w for w in seen.warnings)
     assert any("begin at a particle velocity of 5000 m/s" in w for w in seen.warnings)
     rest = next(row for row in library.windows("quartz") if "index" in row and row["wavelength"] == 1.55e-6)
     row = next(row for row in library.windows("quartz") if "index_slope" in row)

@@ -87,7 +87,7 @@ def test_every_part_is_there(page):
 
 
 def test_numbers_and_sources_are_told(page):
-    for words in ("Acoustic flyer", "pull-back", "70 m/s", "1.404 GPa", "spall plane at", "A table of the tests", "quoted from memory, not checked against the source",
+    for words in ("Acoustic flyer", "pull-back", "70 m/s", "1.404 GPa", "spall plane at", "A table of the tests", "not checked against the printed source",
                   "a stand-in material", "Starkenberg", "d&#x27;Alembert 1747", "prefers-color-scheme: dark", "@media print"):
         assert words in page, words
 

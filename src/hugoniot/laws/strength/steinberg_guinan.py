@@ -16,8 +16,8 @@ $$T_m = T_{m0}\,\exp\left[2a\left(1 - 1/\eta\right)\right]\eta^{2(\gamma_0 - a -
 Above the melting temperature $Y = 0$, and $G$ is $G_0$ times `melt_shear_fraction`. Large tensions or temperatures would make $\varphi$
 negative; it is therefore not less than `melt_shear_fraction` in $G$ and not less than 0 in $Y$. The flow stress does not depend on the
 strain rate. The law gives $Y$ the same relative pressure derivative as $G$, as the published table of parameters does. The equation
-of state must give a temperature. The constants of the example are for 6061-T6 aluminium, quoted from memory from Steinberg,
-UCRL-MA-106439 (1996), and not checked against it.
+of state must give a temperature. The constants of the example are for 6061-T6 aluminium (Steinberg, UCRL-MA-106439,
+1996; not checked against the printed source).
 """
 
 from typing import NamedTuple
