@@ -71,7 +71,7 @@ def unreacted_pressure(identity: str) -> float:
 
 def marks(row: Row, constant: str = "") -> tuple[str, ...]:
     """Sentences to show wherever the row is used, or one `constant` of it ("gamma0") alone; empty for a row without blemish."""
-    found = list(row.marks)
+    found = list(row.marks_of(constant))
     of_line = constant in ("", *LINE) and "states" in row
     if of_line and row["us_deviation"] > SCATTER_LIMIT * (row["c0"] + row["s"] * 0.5 * (row["up_min"] + row["up_max"])):
         found.append(f"{row.title} misses the measured states: its shock velocities deviate by {row['us_deviation']:.0f} m/s "

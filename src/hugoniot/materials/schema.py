@@ -7,7 +7,8 @@ library and starting with the letter of its table, and says where its numbers co
     via       the public file the numbers were read in (repository@commit:path)
     status    verified (read there, units converted) | corrected (a slip of that file was repaired, see note)
               | derived (computed by the package) | recalled (from no file, not checked against the printed source)
-    note      remarks; what follows DOUBT: or DISAGREES: to the end of a note is shown wherever the row is used
+    note      remarks; what follows DOUBT: or DISAGREES: to the end of a note is shown wherever the row is used, or where the note says
+              "doubted: NAME and NAME;", wherever the row or one of these constants is
 
 Nothing here imports more than the standard library: a material is shown in milliseconds.
 """
@@ -32,6 +33,7 @@ TABLES = {
 _PROVENANCE = ("id", "material", "source", "via", "status", "note")
 _OF_STATES = ("up_min", "up_max", "us_deviation")
 _CORRECTED = re.compile(r"corrected: (\w+(?: and \w+)*)")
+_DOUBTED = re.compile(r"\bdoubted: (\w+(?: and \w+)*);")
 _ASSUMED = re.compile(r"\brho0:?(?: \d+)? assumed")
 _CELL = re.compile(r"([A-Z]\d{3})\.([a-z][a-z0-9_]*)")
 
@@ -74,7 +76,7 @@ class Row:
         if name.startswith("recorded_") and status == "recalled":
             found = f"computed from constants {UNVERIFIED}"
         return Source(quantity or name, self.values[name], self.units[name], source, via, status,
-                      "; ".join(t for t in (f"row {self.id}" + (f": {found}" if found else ""), self.note) if t))
+                      "; ".join(t for t in (f"row {self.id}" + (f": {found}" if found else ""), self._note_of(name)) if t))
 
     def _found(self, name: str) -> str:
         """How a derived number of a Us-up row or of a calibrated rate was found, in words; empty where its source or its name says it."""
@@ -115,13 +117,26 @@ class Row:
     @property
     def marks(self) -> tuple[str, ...]:
         """What must be seen wherever the row is used: sentences, empty for a row without blemish."""
+        return self.marks_of()
+
+    def marks_of(self, constant: str = "") -> tuple[str, ...]:
+        """The same of one constant, or of all."""
         found = []
         if self.status == "recalled":
             found.append(f"{self.title} is {UNVERIFIED} ({self.source})")
-        if self.doubt:
+        if self.doubt and self._doubts(constant):
             kind = "is doubtful" if "DOUBT:" in self.note else "disagrees with other sources"
             found.append(f"{self.title} {kind}: {self.doubt}")
         return tuple(found)
+
+    def _doubts(self, constant: str) -> bool:
+        """Whether the doubt of the row is of a constant, or of any (no name)."""
+        named = _DOUBTED.search(self.note)
+        return not (constant and named) or constant in named[1].split(" and ")
+
+    def _note_of(self, constant: str) -> str:
+        """The note without a doubt that is of other constants."""
+        return self.note if self._doubts(constant) else _DOUBTED.sub("", self.note.partition("DOUBT:")[0]).rstrip("; ")
 
     @property
     def title(self) -> str:

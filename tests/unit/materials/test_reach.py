@@ -93,3 +93,11 @@ def test_data_that_begin_with_a_shock_slower_than_sound_lie_beyond_a_transition(
     assert [row.id for row in rows if far_begin(row)] == ["U242"] and len(rows) > 40
     assert any("begin at a particle velocity of 300 m/s; weaker shocks" in w for w in library.find("U242").warnings)
     assert {substance(name) for name in ("Bi", "Bismuth, compressed", "bismuth (cast)")} == {"bismuth"}
+
+
+def test_a_doubt_of_single_constants_marks_these_alone():
+    """Of uranium with 0.75 % titanium two of Steinberg's constants are in doubt, not the shear modulus that Johnson and Cook's set takes."""
+    sources = library.find("uranium_ti").sources
+    assert [s.quantity for s in sources if "DOUBT" in s.note] == ["strength.pressure_coefficient", "strength.melt_gruneisen"]
+    assert any("S035" in w for w in library.find("uranium_ti").warnings) and not library.find("uranium_ti_johnson_cook").warnings
+    assert all("DOUBT" in s.note for s in library.find("rdx").sources if s.quantity.startswith("eos."))
