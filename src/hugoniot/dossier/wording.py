@@ -145,7 +145,9 @@ def row_summary(row: Row) -> str:
     if row.table == "us_up":
         density = f"density {row['rho0']:.5g} kg/m3, " if "rho0" in row else ""
         ends = f"from {row['up_min']:g} to" if row.get("up_min") else "up to"
-        reaches = f", for particle velocities {ends} {row['up_max']:g} m/s" if "up_max" in row else ", range not stated"
+        what = ("for particle velocities" if row.status == "derived" or not row.range_from() else
+                "compared with states at particle velocities" if "states" in row else "range inferred: particle velocities")
+        reaches = f", {what} {ends} {row['up_max']:g} m/s" if "up_max" in row else ", range not stated"
         text = density + hugoniot_text(row) + reaches
     elif row.table == "compression":
         text = (f"density {row['rho0']:.5g} kg/m3, {_FORMS[row['form']]} isotherm, bulk modulus "

@@ -100,8 +100,8 @@ def about(row: Row) -> str:
     """Where the range of a Us-up row comes from: measured states and how they scatter about its curve, or its source's statement."""
     if "states" in row:
         begin, end, deviation = (format_si(row[name], "m/s", d) for name, d in (("up_min", 6), ("up_max", 6), ("us_deviation", 3)))
-        return (f"compared with {row['states']:g} measured states of the library at particle velocities from {begin} to {end}: their "
-                f"shock velocities deviate from the curve of row {row.id} by {deviation}, root mean square")
+        return (f"range of the {row['states']:g} measured states with which the library compares row {row.id}: particle velocities from "
+                f"{begin} to {end}; their shock velocities deviate from the curve of the row by {deviation}, root mean square")
     found = f"the range of the fit of row {row.id}" if row.status == "derived" else f"as stated by the source of row {row.id}"
     if "up_max" not in row or row.range_from():
         found = f"row {row.id}" + (f": {row.range_from()}" if row.range_from() else "")

@@ -107,7 +107,7 @@ class Row:
         """Where the range of a Us-up row comes from if not from its own source: measured states, or what its note says; else empty."""
         if "states" in self:
             return f"range of the {self['states']:g} measured states of the library with which row {self.id} is compared"
-        said = re.search(r"\brange: (the (?:highest|range)[^;]*)", self.note)
+        said = re.search(r"\brange: (the (?:particle velocity|range)[^;]*)", self.note)
         return said.group(1) if said else ""
 
     def constants(self) -> Iterator[Source]:

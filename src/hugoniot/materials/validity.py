@@ -64,8 +64,8 @@ def beyond(end: Range) -> str:
 
 
 def rounded(up: float) -> str:
-    """A particle velocity in words, to three digits."""
-    return format_si(float(f"{up:.3g}"), "m/s")
+    """A particle velocity in words, to four digits."""
+    return format_si(float(f"{up:.4g}"), "m/s")
 
 
 def beyond_data(material: Material) -> tuple[float, str]:
@@ -90,17 +90,17 @@ def about_shock(material: Material, jump: float = 0.0) -> list[str]:
 
 
 def _ends(par) -> list[tuple[float, str]]:
-    found = [(particle_velocity_limit(par), "above which the Hugoniot fit describes no shock")]
+    found = [(particle_velocity_limit(par), "the largest particle velocity that the Hugoniot fit gives")]
     if not is_condensed(par):
         return found
     rho0 = reference_state(par)[0]
     low, high = rho0, min(COMPRESSED * rho0, density_limits(par)[1] * (1.0 - 1e-9))
     p = _hugoniot(high, par)
     if p < math.inf and high == COMPRESSED * rho0 and rho0 > LIGHTEST:
-        found.append((_velocity(high, p, par), f"above which the law gives a density of more than {COMPRESSED:g} rho0 in one shock"))
+        found.append((_velocity(high, p, par), f"at which the law gives a density of {COMPRESSED:g} rho0 in one shock"))
     if p > HIGHEST:
         rho = _root(lambda rho: min(_hugoniot(rho, par), 1e3 * HIGHEST) - HIGHEST, low, high)
-        found.append((_velocity(rho, HIGHEST, par), f"above which the pressure of a shock exceeds {HIGHEST * 1e-12:g} TPa"))
+        found.append((_velocity(rho, HIGHEST, par), f"at which the pressure of a shock is {HIGHEST * 1e-12:g} TPa"))
     return found
 
 

@@ -175,8 +175,8 @@ def test_a_derived_constant_says_how_it_was_found(name, quantity, remark):
     assert next(c["mark"] for c in described(library.entry(name))["constants"] if c["quantity"] == quantity) == remark
 
 
-@pytest.mark.parametrize("name, words", [("U233", "up (m/s), for particle velocities from 2639 to 7780 m/s"), ("U002", "for particle velocities up to 3763 m/s"),
-                                         ("U008", "range not stated")])
+@pytest.mark.parametrize("name, words", [("U233", "up (m/s), for particle velocities from 2639 to 7780 m/s"), ("U002", "range inferred: particle velocities up to 3763 m/s"),
+                                         ("U058", "compared with states at particle velocities from 210 to 2946 m/s"), ("U008", "range not stated")])
 def test_the_line_of_a_fit_says_where_its_data_begin(name, words):
     assert row_summary(schema.row(name)).endswith(words)
 

@@ -27,7 +27,7 @@ zones = 10
 
 
 def test_a_range_names_what_stands_behind_it():
-    assert reach(library.find("nickel")).startswith("particle velocity up to 2145 m/s (compared with 18 measured states of the library at particle velocities from 470 m/s to 2145 m/s:")
+    assert reach(library.find("nickel")).startswith("particle velocity up to 2145 m/s (range of the 18 measured states with which the library compares row U016: particle velocities from 470 m/s to 2145 m/s;")
     assert "stated by the source of row U244" in reach(library.find("U244")) and "14 m/s" in reach(library.find("U244"))
     assert "standard in Marsh's impedance-matching experiments" in reach(library.find("aluminum_2024"))
     assert range_of(schema.row("U247")).startswith("2200 m/s to 4700 m/s")
