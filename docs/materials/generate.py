@@ -17,6 +17,7 @@ from hugoniot.errors import HugoniotError
 from hugoniot.materials import cards, library, schema
 from hugoniot.materials.tables import families
 from hugoniot.plotting.materials import compare_figure
+from hugoniot.problem.explosives import TOLERATED
 
 matplotlib.use("Agg")
 HERE = Path(__file__).parent
@@ -31,6 +32,8 @@ RATE = ("These belong to the variant `material = \"{name} reactive\"`, which rep
 ROWS = "These rows of the library are for the same material or a similar one (column *material*){used}. {use}"
 FILE = ("\"The file\" beside a row is the public file from which the row was taken: `hugoniot material show {example}` names that of "
         "{example}.")
+RULE = (" The library takes the stated velocity where it is at most {:.2g} % below and at most {:.2g} % above the CJ velocity of the "
+        "products, and the CJ velocity otherwise ([reason](../../theory/detonation.md#programmed-burn)).")
 LACKS = "Where an entry says that the library has no data, it means none for this material."
 UNNAMED = re.compile(r"\b[Tt]he file\b(?! [\w-]+\.\w)")     # "the file" without its name
 
@@ -133,8 +136,9 @@ def _first(about: dict) -> list[str]:
              f"In a deck, write `material = \"{about['name']}\"`.{also}", ""]
     rows = rows_used(about["constants"])
     if rows:
-        lines += [f"The constants come from row{'s' if rows[1:] else ''} {listing(rows)} of the library. A *row* is one set of constants, "
-                  f"published or fitted by hugoniot; `hugoniot material show {rows[0]}` prints row {rows[0]} with its source.", ""]
+        lines += [f"The constants come from row{'s' if rows[1:] else ''} {listing(rows)} of the library. A *row* is one set of "
+                  "constants from the literature or fitted by hugoniot; "
+                  f"`hugoniot material show {rows[0]}` prints row {rows[0]} with its source.", ""]
     lines += ["The material is described by these laws:", ""]
     for family, law in about["laws"].items():
         folder = "eos" if family == "unreacted" else family
@@ -156,10 +160,11 @@ def _detonation(constants, members) -> str:
     stated = [constants[k]["quantity"] for k in members]
     if stated == ["detonation.gurney_velocity"]:
         return "The laws do not use the Gurney velocity."
+    rule = RULE.format(-100.0 * TOLERATED[0], 100.0 * TOLERATED[1]) if "detonation.velocity" in values else ""
     if values.get("burn.detonation_velocity") != values.get("detonation.velocity"):
-        return "The laws use none of these values; they are for comparison. Programmed burn uses the value in the table of the burn law."
-    return "Of these values the laws use only the detonation velocity, in the programmed burn; the others are for comparison." \
-        if len(stated) > 1 else "Programmed burn uses this value."
+        return f"The laws use none of these values. Programmed burn uses the value in the table of the burn law.{rule}"
+    return ("Of these values the laws use only the detonation velocity, in the programmed burn; the others are for comparison."
+            if len(stated) > 1 else "Programmed burn uses this value.") + rule
 
 
 def _constants(about: dict) -> list[str]:
@@ -286,14 +291,13 @@ def draw(entry, target: Path) -> tuple[str, bool] | None:
 def index(entries: list, laws: dict[str, dict]) -> str:
     """The table of all pages with the counts of the library; laws {material: {family: law}}."""
     counts = summary()
-    lines = ["# All materials", "",
+    lines = ["# Curated materials", "",
              f"This table lists the {counts['curated_materials']} curated materials: for each, laws and constants were chosen from the "
              f"available sources, and its page gives the reasons. The library holds {counts['rows']} sets of constants "
-             f"(*rows*), published or fitted by hugoniot, and {counts['measured_states']} measured shock states. "
-             f"`hugoniot material search` finds {counts['searchable_materials']} "
-             f"materials, which include rows that are not curated. {counts['rows_unverified_against_print']} rows were taken "
-             "neither from a public file nor from the publication; a warning says \"not checked against the printed source\" wherever they are "
-             "used.", ""]
+             f"(*rows*) from the literature or fitted by hugoniot, and {counts['measured_states']} measured shock states. "
+             f"`hugoniot material search` also finds {counts['searchable_materials'] - counts['curated_materials']} other materials, for "
+             f"which the library has rows that are not curated. {counts['rows_unverified_against_print']} rows were taken neither "
+             "from a public file nor from the publication; a warning says \"not checked against the printed source\" if one is used.", ""]
     heads = ("material", "kind", "density, kg/m³", "c0, m/s", "s", "equation of state", "strength law", "spall strength")
     lines += ["c0 and s are the intercept of the Hugoniot Us(up) and its slope at up = 0. Click on a heading to sort; type to filter.", "",
               "```{raw} html", '<input class="filter" type="search" placeholder="filter, such as metal or steinberg" '
