@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 from law_pictures import draw
-from law_words import CAPTIONS, FAMILIES, GROUPS, KEYS_BESIDE, MATERIALS, OWN_SYMBOLS, QUANTITIES, SYMBOLS, WHERE_SET, WRITTEN
+from law_words import CAPTIONS, FAMILIES, GROUPS, INSTEAD, KEYS_BESIDE, MATERIALS, OWN_SYMBOLS, QUANTITIES, SYMBOLS, WHERE_SET, WRITTEN
 from source_labels import explained
 
 import hugoniot.laws.burn
@@ -57,16 +57,21 @@ def parameters(law) -> list[str]:
         return table(["parameter", "given by", "meaning"], rows)
     symbols = {**SYMBOLS, **OWN_SYMBOLS.get(law.name, {})} if law.family == "eos" else {}
     rows, order = [], law.parameters._fields
+    key, meaning, after = INSTEAD.get(law.name, ("", "", ""))
+    required = f"required without `{key}`" if key else "required"
     for name in sorted(names, key=lambda n: (n not in needed, order.index(n) if n in order else len(order))):
         default, unit = law.defaults.get(name), law.units.get(name, "1")
-        shown = "required" if name in needed else "optional" if default is None or default != default \
+        shown = required if name in needed else "optional" if default is None or default != default \
             else f"`{default:.6g}`" if type(default) is float else f"`{default}`"
         symbol = f"${symbols[name]}$" if name in symbols else ""
         unit = {"1": "–", "text": "–", "law": "equation of state", "": "equation of state"}.get(unit, cell(unit))
         rows.append([f"`{name}`", *([symbol] if symbols else []), unit, shown, marked(law.meaning.get(name, ""))])
     if not rows:
         return ["The law has no parameters.", ""]
+    if key:
+        rows.insert(0, [f"`{key}`", *([""] if symbols else []), "–", "optional", meaning])
     lines = table(["parameter", *(["symbol"] if symbols else []), "unit", "default", "meaning"], rows)
+    lines += [after, ""] if after else []
     if law.family == "eos" and "base" in names:
         lines += ["`base` is a table, as in the example, or the name of a material of the library.", ""]
     return lines
@@ -116,9 +121,9 @@ def limits(law) -> list[str]:
     ends = f"its density must be {' and '.join(filter(None, (least, most)))} kg/m³ (with the parameters of the example)" \
         if least or most else ""
     ends = "it must lie inside the table" if "energy_limits" in law.functions else ends
-    real = "its sound speed must be real ($c^2 > 0$)"
+    real = "its squared sound speed must be positive ($c^2 > 0$)"
     lines = [f"A state must meet two conditions: {ends}, and {real}." if ends else
-             "With the parameters of the example any density is allowed at which the sound speed is real ($c^2 > 0$)."]
+             "With the parameters of the example any density is allowed at which the squared sound speed is positive ($c^2 > 0$)."]
     if np.isfinite(fastest):
         lines.append(f"The principal Hugoniot ends at a particle velocity of {rounded(fastest)} m/s.")
     lines.append("This is the range of the formulas; the data behind the parameters usually cover less. The command-line tools refuse a "

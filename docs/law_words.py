@@ -4,9 +4,9 @@
 FAMILIES = {
     "eos": ("Equations of state",
             "An equation of state gives the pressure of a material as a function of its density $\\rho$ and specific internal energy $e$. "
-            "Choose one for each material: `law = \"...\"` in the table `[material.NAME.eos]` of a deck. Its *reference state* is the "
-            "density $\\rho_0$ at zero pressure and the temperature $T_0$; a gas has the pressure of that density and temperature, and "
-            "detonation products are referred to the density and energy of the unreacted explosive.\n\n"
+            "Choose one for each material: `law = \"...\"` in the table `[material.NAME.eos]` of a deck. Its *reference state* has the "
+            "density $\\rho_0$, zero pressure and the temperature $T_0$. Two kinds of material differ: the reference pressure of a gas is "
+            "not zero, and the reference state of detonation products has the density and energy of the unreacted explosive.\n\n"
             "Each page states the limits of its formulas. The command-line tools refuse a state outside them with an error message that "
             "gives the limit. A run does not start outside them, and it stops when the sound speed of a zone is no longer real."),
     "strength": ("Strength",
@@ -122,6 +122,11 @@ WHERE_SET = {
 KEYS_BESIDE = {
     "burned_products": ("detonation_energy", "the key `detonation_energy` of the material; default: the energy that the equation of state "
                         "of the products assigns to its reference state", "chemical energy Q released by burning", "5 MJ/kg"),
+}
+# law: (key of a deck that replaces the required parameters, its meaning, where the keys that go with it are described)
+INSTEAD = {
+    "table": ("file", "name of a file that holds the table, in place of the four arrays",
+              "[Tables from files](../../../theory/eos_tools.md#tables-from-files) lists the keys that may accompany `file`."),
 }
 QUANTITIES = {      # variable: (name, unit shown, factor from SI)
     "rho": ("density", "kg/m³", 1.0), "e": ("specific internal energy", "MJ/kg", 1e-6), "p": ("pressure", "GPa", 1e-9),

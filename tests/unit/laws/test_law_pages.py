@@ -83,3 +83,11 @@ def test_every_page_tells_equation_parameters_validity_and_source(pages):
             assert all(f"`{name}`" in text for name in pages.accepted(law)[0]), law.name
             assert "$$" in text or law.name == "none", law.name
             assert family != "eos" or "gives the limit" in text, law.name
+
+
+def test_the_page_of_tables_says_what_a_file_replaces(pages):
+    law = pages.EOS.get("table")
+    rows = {line.split("`")[1]: line for line in pages.page(law, None).splitlines() if line.startswith("| `")}
+    assert "optional" in rows["file"]
+    assert {name for name, row in rows.items() if "required without `file`" in row} == set(pages.accepted(law)[1])
+    assert not any("| required |" in row for row in rows.values())

@@ -7,9 +7,9 @@ With subscripts for derivatives of the table in $\rho$ and $T$,
 $$\frac{\partial p}{\partial e}\Big|_\rho = \frac{p_T}{e_T}, \quad
   \frac{\partial p}{\partial\rho}\Big|_e = p_\rho - e_\rho\frac{p_T}{e_T}.$$
 
-A table is refused if a value is missing, if a grid does not increase, if the energy does not rise with temperature (so that $c_v > 0$
-everywhere), or if $c^2 \le 0$ at a corner of a cell with $p \ge 0$. With `least_sound_speed` $c_m$ such corners are accepted: wherever
-$c^2 < c_m^2$ the slope $\partial p/\partial\rho$ is raised until $c = c_m$. Pressures and energies remain those of the table.
+A table is refused if a value is missing, if a grid does not increase, if the energy does not rise with temperature everywhere (which would
+give $c_v \le 0$), or if $c^2 \le 0$ at a corner of a cell with $p \ge 0$. With `least_sound_speed` $c_m$ such corners are accepted:
+wherever $c^2 < c_m^2$ the slope $\partial p/\partial\rho$ is raised until $c = c_m$. Pressures and energies remain those of the table.
 
 Outside the grid a run extrapolates the nearest cell. The law has no entropy: bilinear tables satisfy the identity $e_v = Tp_T - p$, with
 $v = 1/\rho$, only to the resolution of the table. In Python `hugoniot.laws.eos.table.from_law` tabulates any law that has a temperature.
