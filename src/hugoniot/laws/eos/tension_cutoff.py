@@ -4,7 +4,8 @@ $$p(\rho, e) = \max\left[p_{\text{base}}(\rho, e),\; -p_{\text{cut}}\right]$$
 
 Use it for liquids and fragmented material that cavitate or separate under tension, where a fracture law would be too detailed. Where the
 cut-off acts, both derivatives of the pressure and the sound speed are zero: the stretched material is a spray of constant pressure. It
-recovers on recompression to the density at which the cut-off began.
+recovers on recompression to the density at which the cut-off began. In runs with `lagrange1d` and `lagrange2d` material may reach the
+cut-off; a run with `fronts` stops there with an error. Initial states and those of the command-line tools must not be at the cut-off.
 
 The temperature is that of the base law. There is no entropy, because that of the base law no longer satisfies $T\,ds = de + p\,dv$ where
 the cut-off acts.
