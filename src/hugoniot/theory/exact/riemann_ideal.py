@@ -9,8 +9,10 @@ velocity change across the wave that takes side k to the pressure $p$ is
 $$f_k(p) = \begin{cases}(p - p_k)\left[\tfrac{\rho_k}{2}\left((\gamma+1)P + (\gamma-1)P_k\right)\right]^{-1/2} & p > p_k\\[2pt]
   \dfrac{2 c_k}{\gamma-1}\left[\left(P/P_k\right)^{(\gamma-1)/2\gamma} - 1\right] & p \le p_k\end{cases}$$
 
-The pressure between the waves is the root of $f_L(p) + f_R(p) + u_R - u_L = 0$, which increases with $p$. Where there is no root above
-vacuum, the two sides separate: an ideal gas expands into vacuum, a stiffened gas is released to zero pressure.
+The pressure between the waves is the root of $f_L(p) + f_R(p) + u_R - u_L = 0$, whose left side increases with $p$. If a side is an ideal
+gas and no root is positive, the two sides separate: an ideal gas expands into vacuum, a stiffened gas is released to zero pressure. Two
+stiffened gases may be in tension between the waves, down to minus the smaller $p_\infty$; if they are pulled apart more strongly, there is
+no solution and an error is raised.
 
 Source: Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics (2009), chapter 4; with a stiffness pressure: Ivings, Causon &
 Toro, Int. J. Numer. Meth. Fluids 28 (1998) 395. Starkenberg's sign of the stiffness pressure is the opposite (S-E8).
@@ -114,13 +116,18 @@ def _fill(out, side, w, p_star, u_star, sign, speed):
 def riemann_ideal(left: Side, right: Side, x0: float = 0.0, title: str = "Riemann problem") -> Solution:
     """Riemann problem of ideal or stiffened gases: two uniform states that meet at x0 at time 0.
 
-    left.density, right.density         density of a side
-    left.velocity, right.velocity       velocity of a side
-    left.pressure, right.pressure       pressure of a side
-    left.gamma, right.gamma             ratio of specific heats of a side, above 1
-    left.p_infinity, right.p_infinity   stiffness pressure of a side; 0: ideal gas
-    x0                                  position of the contact at time 0
-    title                               heading of the results
+    left.density      density on the left
+    left.velocity     velocity on the left
+    left.pressure     pressure on the left
+    left.gamma        ratio of specific heats on the left, above 1
+    left.p_infinity   stiffness pressure on the left; 0: ideal gas
+    right.density     density on the right
+    right.velocity    velocity on the right
+    right.pressure    pressure on the right
+    right.gamma       ratio of specific heats on the right, above 1
+    right.p_infinity  stiffness pressure on the right; 0: ideal gas
+    x0                position of the contact at time 0
+    title             heading of the results
 
     Fields: density, velocity, pressure, energy, sound_speed. In a vacuum the density is 0, and the velocity is that of the nearer gas
     front. Numbers: star_pressure, star_velocity (between the waves), star_density_left, star_density_right (on either side of the
