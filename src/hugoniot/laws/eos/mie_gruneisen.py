@@ -19,8 +19,8 @@ example). Real materials fail at lower tensions; add a fracture law.
 The Hugoniot has a pole at $\eta = 1/s$. With $s < 1$ the fit ends where $u_p$ catches up with $U_s$, at $u_p = c_0/(1 - s)$ (J-E16).
 
 **Other forms.** `gamma_form = "constant"` keeps $\Gamma$ constant, and `"linear"` takes the slope $\Gamma_1$ of
-`mie_gruneisen_linear_gamma`; both are evaluated by that law, and so is a Hugoniot with $\Gamma_0 > 8s$, with the same pressures. For
-curved Hugoniots see `mie_gruneisen_quadratic` and `mie_gruneisen_cubic`.
+`mie_gruneisen_linear_gamma`; both are evaluated by that law. For curved Hugoniots see `mie_gruneisen_quadratic` and
+`mie_gruneisen_cubic`.
 
 **Temperature.** With a constant specific heat $c_v$, $T = T_0 e^{\Gamma_0\eta} + (e - e_S)/c_v$, where $e_S$ is the isentrope through the
 reference state ($e = 0$, temperature $T_0$). In tension $e_S = e_R$. In compression, with $y = 1 - s\eta$, $\beta = \Gamma_0/s$ and the
@@ -31,7 +31,8 @@ $$e_S = \frac{c_0^2}{s^2}\Big\{\left(1-\tfrac{\beta}{2}\right)\left(\tfrac1y - e
  - \left(1 - 2\beta + \tfrac{\beta^2}{2}\right) e^{-\beta y}\,[\mathrm{Ei}(\beta) - \mathrm{Ei}(\beta y)]\Big\},$$
 
 the exact solution of $de_S/d\eta - \Gamma_0 e_S = c_0^2\eta(1 - \Gamma_0\eta/2)/(1 - s\eta)^2$. The source calls the
-integral an error function (J-E8).
+integral an error function (J-E8). If $\Gamma_0 > 8s$ this form loses digits; $e_S$ is then integrated numerically, as in
+`mie_gruneisen_linear_gamma` with $\Gamma_1 = 0$.
 
 Source: Starkenberg, ARL-TR-2161, appendix A-4, A-6.2, A-11; Herrmann, WL-TR-64-107, C.5, C.6, C.12; Jordan (2011), eq. 5.1.4 to 5.1.10.
 """
