@@ -102,8 +102,8 @@ class MixtureState:
 
     @property
     def temperature(self):
-        """Temperature, K: of the products (thermal_isolation), common (thermal_equilibrium) or the mean by mass (weighted_pressures).
-        OutOfRange if the closure or an equation of state has none."""
+        """Temperature, K: of the products (thermal_isolation), common (thermal_equilibrium, two_state) or the mean by mass
+        (weighted_pressures). OutOfRange if an equation of state has none."""
         self._require_temperature()
         return self._each(contract.mixture_temperature)
 
@@ -201,7 +201,7 @@ def energy_with(density: float, burn_fraction: float, par, reference, **given) -
     reference   as in `solve`; the search begins at its energy
     given       pressure=... or temperature=...
 
-    Raises NoSolution where no energy is found, OutOfRange for a temperature that the closure or an equation of state does not have.
+    Raises NoSolution where no energy is found, OutOfRange for a temperature that an equation of state does not have.
     """
     (name, target), = given.items()
     e = float(reference[1])
@@ -363,7 +363,10 @@ class FrozenHugoniot:
 
 
 def frozen_hugoniot(upstream: MixtureState, pressures) -> FrozenHugoniot:
-    """Shocks in a mixture without reaction: each phase on its own Hugoniot, from the state ahead to the same pressures (Pa).
+    """Shocks in a mixture without reaction: each phase on its own Hugoniot, from the state ahead to the same pressures.
+
+    upstream    the mixture ahead of the shocks, a single solved state
+    pressures   pressures behind the shocks, Pa
 
     Returns a `FrozenHugoniot`. Raises NoSolution beyond a limit of compression.
     """
