@@ -12,9 +12,9 @@ and spherical geometry.
   $s^2 = 1 - t^2/\tau^2$ and the initial radius $X = r/s$. The momentum equation is $P' = XG/\tau^2$. Here $G = \rho_0X^b$ and
   $P = \rho_0X^{b+2}/((b+2)\tau^2)$ with $b > -2$.
 * Problem 7, the same with a free inner surface at $X = R$ and the entropy $p/\rho^\gamma \propto X^b$: with
-  $Y = X^{2-b/\gamma} - R^{2-b/\gamma}$ the profiles are $G \propto X^{-b/\gamma}Y^{1/(\gamma-1)}$ and
-  $P \propto \frac{\gamma-1}{(2\gamma-b)\tau^2}Y^{\gamma/(\gamma-1)}$, $b < 2\gamma$. For $b = 0$ it is Kidder's shell without inner
-  pressure.
+  $Y = X^{2-b/\gamma} - R^{2-b/\gamma}$ the profiles are $G = CX^{-b/\gamma}Y^{1/(\gamma-1)}$ and
+  $P = C\,\frac{\gamma-1}{(2\gamma-b)\tau^2}Y^{\gamma/(\gamma-1)}$, $b < 2\gamma$; the constant $C$ follows from the density at the outer
+  radius. For $b = 0$ it is Kidder's shell without inner pressure.
 
 Here $\rho_0$ and $e_0$ are the density and energy at unit radius (and, in problems 1 and 2, unit time), $\gamma$ is the ratio of specific
 heats and $\tau$ the time of collapse, `collapse_time`.
