@@ -158,7 +158,7 @@ def detonation_hugoniot(material, initial: Initial | None = None, *, points: int
 
     points   number of states, evenly spaced in particle velocity
     up_to    highest particle velocity, m/s; default: 1.4 times that of the CJ point
-    once     True saves the compilation if only one curve is needed, as in `hugoniot.theory.hugoniot.shock`
+    once     True skips the compilation, as in `hugoniot.theory.hugoniot.shock`
     """
     par = law_of(material)
     ahead = initial or explosive(par)

@@ -29,7 +29,7 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, once:
     given       exactly one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an array;
                 velocities are those in the laboratory
     direction   +1: the shock runs towards +x; -1: towards -x
-    once        True saves the compilation, which takes seconds; useful if only one curve of up to ten thousand states is needed
+    once        True skips the compilation, which takes seconds; useful if only one curve of up to ten thousand states is needed
 
     Returns `States` of the shape of the number or array given. Raises `OutOfRange` with the limit if a state is outside the range of the
     law, and `NoSolution` if none is found.

@@ -54,7 +54,7 @@ def matched(layers: Sequence, answers: Sequence[str], solve: Callable[..., Seque
 
     The function returned takes the velocity of the flyer as `velocity` (m/s) and parameters named MATERIAL.parameter, which apply to all
     layers of that material. It returns the fields on the right of the interface in each `Match`, under names such as "0.pressure", in which
-    the number counts the list of `Match`.
+    the number is the index in the list of `Match`.
     """
     def answer(**given: float) -> dict[str, float]:
         own = [{k.rpartition(".")[2]: v for k, v in given.items() if k.rpartition(".")[0] == m.name} for m in layers]

@@ -7,8 +7,8 @@ $$\frac1\rho = \lambda\,v_s(p, e) + (1 - \lambda)\,v_i(p), \qquad \lambda = 1 - 
 $\lambda$ is the compacted fraction of the mass, $v_s$ the volume of the solid by the base law, and $v_i$ that of the porous matrix, which
 has the initial density $\rho_{00}$ and the bulk modulus $K$. $Y$ is the crush strength and $n$ its sharpness. In tension, uncompacted
 material has $p = K(1 - \rho_{00}/\rho)$. The density of the solid is found from this implicit equation by Newton's method in a bracket.
-If the material is so hot that its solid alone would fill more than the volume, the equation can have two roots; the compacted one is
-used.
+If the material is so hot that its solid alone would have a specific volume above $1/\rho$, the equation can have two roots; the one with
+more compaction is used.
 
 Compaction is irreversible. Below the largest pressure reached, $\lambda$ keeps its value, and the mixture unloads and reloads
 elastically. A run stores $\lambda$ of every zone. The two parts exchange no energy in this model: the temperature is that of the solid at

@@ -1,6 +1,6 @@
 r"""Detonation shock dynamics of a rate stick from its start: a plane front that becomes the steady one.
 
-It tests programs that propagate curved fronts in time, and shows over which distance a front becomes steady.
+It tests programs that propagate curved fronts in time, and shows the distance over which a front becomes steady.
 
 The normal velocity is $D_n = D(1 - \alpha\kappa)$ with the velocity $D$ of a plane front, the curvature $\kappa$ and the length $\alpha$
 (`curvature_length`). For the position $z(r, t)$ of the front along the axis, with $z' = \partial z/\partial r$, this is

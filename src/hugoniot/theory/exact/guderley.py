@@ -216,7 +216,7 @@ def guderley(geometry: str = "spherical", gamma: float = 1.4, density: float = 1
     geometry    cylindrical or spherical
     gamma       ratio of specific heats, above 1
     density     density of the gas ahead
-    amplitude   A in R = A (-t)^alpha, the radius of the shock (m) at the time -1 s
+    amplitude   A in R = A (-t)^alpha, a number without unit: the radius of the shock in m at the time -1 s
 
     Valid for all times: negative before focusing, positive after it. Closer to the centre than about 1e-5 of the radius of the reflected
     shock, pressure and density are kept constant.

@@ -1,8 +1,8 @@
 r"""Burn times of programmed burns: when a detonation front of constant speed reaches each point (Kenamond's problems).
 
 They test the lighting times of a code: several detonators, two explosives of different speed, and a front that bends around an obstacle.
-The front follows the shortest path in time. Let $\mathbf x$ be a point, $r$ its distance from the origin, and $\mathbf x_k$ and $t_k$ the
-position and the lighting time of detonator $k$.
+The front reaches a point along the path of least time. Let $\mathbf x$ be a point, $r$ its distance from the origin, and $\mathbf x_k$ and
+$t_k$ the position and the lighting time of detonator $k$.
 
 **Problem 1**: one explosive of detonation velocity $D$, any number of detonators.
 
