@@ -31,7 +31,7 @@ decks to start from.
 
 * **Tables.** `[solver]` starts a table that occurs once. `[[region]]` starts one of several tables of the same name (type "tables").
   A small table can also be written in braces: `{law = "constant", shear_viscosity = "1 mPa s"}`.
-* **Quantities.** A quantity is a text with a unit, such as `"3.94 km/s"`, `"2.7 g/cm^3"` or `"25 GPa"`. A bare number is in the SI unit
+* **Quantities.** A quantity is a string with a unit, such as `"3.94 km/s"`, `"2.7 g/cm^3"` or `"25 GPa"`. A bare number is in the SI unit
   given in the column "type". A number without a unit in that column is dimensionless.
 * **Defaults.** A key without an entry in the column "default" is optional and has no effect if omitted, unless its meaning says when it is
   required.
@@ -49,8 +49,8 @@ MATERIALS = """\
 ## Materials
 
 A region or block names its material. A table `[material.NAME]` of the deck has precedence, and replaces the whole material of that name
-in the library; otherwise the name, or an alias of it, is looked up in the library (`hugoniot material list`). A material needs an equation
-of state, or a `base`:
+in the library; otherwise the name, or an alias of it, is looked up in [your material files](../materials/users.md) and in the library
+(`hugoniot material list`). A material needs an equation of state, or a `base`:
 
 ```toml
 [material.al]                # replaces the fracture law of the library's aluminium, and one number of its strength law

@@ -66,14 +66,14 @@ def kind_of(entry: dict) -> str:
         return f'`"{entry["const"]}"`'
     if parts:
         found = list(dict.fromkeys(kind_of(part) for part in parts if part.get("type") != "null"))
-        words = ["text", "table"] if any("enum" in part for part in parts) and len(parts) > 2 else found
+        words = ["string", "table"] if any("enum" in part for part in parts) and len(parts) > 2 else found
         return " or ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
     if entry.get("type") == "array":
         inside = entry.get("items", {})
-        plural = {"string": "texts", "integer": "whole numbers", "number": "numbers"}.get(str(inside.get("type")), "")
+        plural = {"string": "strings", "integer": "whole numbers", "number": "numbers"}.get(str(inside.get("type")), "")
         two = entry.get("minItems") == entry.get("maxItems") == 2
         return "tables" if "$ref" in inside else f"two {plural}" if two and plural else f"array of {plural}" if plural else "array"
-    names = {"integer": "whole number", "string": "text", "boolean": "true or false", "number": "number"}
+    names = {"integer": "whole number", "string": "string", "boolean": "true or false", "number": "number"}
     return names.get(str(entry.get("type")), "table")
 
 
@@ -89,7 +89,7 @@ def _measured(entry: dict, parts, unit: str) -> str:
     else:
         words = "number" if unit == "1" else f"quantity in {unit}"
         words += ", or array" if any(part.get("type") == "array" for part in parts) else ""
-        words += ", or text" if isinstance(entry.get("type"), list) else ""
+        words += ", or string" if isinstance(entry.get("type"), list) else ""
     titles = {part.get("title") for part in parts}
     return words + (", or pulse" if titles & set(PULSES) else ", or table" if titles - {None} else "")
 
@@ -179,6 +179,9 @@ def solver_section(kind: str) -> str:
         text.append(f"{_listed(shared)} {verb} the same as in [decks of `{FIRST}`](#decks-of-{FIRST}). Of the keys outside tables the "
                     "following differ:\n")
     text.append(keys(schema, first if same else None))
+    if same and (without := sorted(first["properties"].keys() - schema["properties"].keys())):
+        text.append(f"There is no {' or '.join(f'`{name}`' for name in without)}.\n" if len(without) < 3 else
+                    f"There is no {', '.join(f'`{name}`' for name in without[:-1])} or `{without[-1]}`.\n")
     for head, (depth, part) in mine.items():
         if (more := _more(part, known.get(head))):
             text += [f"{depth} {head}\n", f"The same keys as in [decks of `{FIRST}`](#decks-of-{FIRST}), without {_listed(more)}.\n"]

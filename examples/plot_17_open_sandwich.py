@@ -5,8 +5,8 @@ Open sandwich: a plate driven by an explosive, and Gurney's formula
 A layer of Composition B, free at its back, drives a copper plate. Gurney's formula (1943) gives the final speed of the plate
 from the ratio of plate mass to charge mass, M/C, and one constant of the explosive, the Gurney velocity √(2E); it assumes a
 linear velocity profile in the gas. The simulated speeds are 1 to 3 % higher than the formula gives with √(2E) = 2.735 km/s, for
-plates from a fifth to five times the mass of the charge. The speed compared is that when the plate is seven charge
-lengths from the initial back of the charge; the two heaviest plates do not get that far, and theirs is that at the end of the run.
+plates from a fifth to five times the mass of the charge. Speeds are compared when the plate is seven charge lengths
+from the initial back of the charge; for the two heaviest plates, which do not get that far, at the end of the run.
 """
 
 import tempfile

@@ -49,7 +49,7 @@ class DeckError(HugoniotError):
 
     @property
     def count(self) -> str:
-        """Number of problems, as a text."""
+        """Number of problems, as a string."""
         if self.more:
             least = "at least " if self.at_least else ""
             return f"{least}{len(self.problems) + self.more} problems; the first {len(self.problems)} are shown"

@@ -41,11 +41,11 @@ def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Seque
     """Run a deck many times with some of its keys varied, and return an xarray Dataset of the results.
 
     The parameters are the coordinates. Results are in SI, and NaN for a case that failed; the variable `reason` says why it failed, and
-    the attribute `warnings` holds those of the runs, one in each line.
+    the attribute `warnings` holds those of the runs, one per line.
 
     deck        path of a deck, which may contain a table [sweep]; None with `match`
     vary        what varies: {"region.flyer.velocity": "300..1200 m/s : 10", "material.al.fracture.strength": ["1 GPa", "2 GPa"]},
-                or texts as for hugoniot sweep --vary
+                or strings as for hugoniot sweep --vary
     tie         keys that follow from others, such as "region.target.to = region.flyer.to + 4 mm"
     out         folder to write (default: the deck's name with .sweep); cases that it already holds are not run again
     workers     number of processes (default: one per processor)

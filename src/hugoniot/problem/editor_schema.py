@@ -44,7 +44,7 @@ def json_schema(kind: str = "lagrange1d") -> dict:
         "valid_up_to": number | {"unit": "m/s", "description":
                                  "highest particle velocity of the data behind the equation of state; shown by hugoniot check and "
         "in reports"},
-        "sources": {"type": "array", "description": "where the numbers come from: texts, or tables with source and, if known, quantity, "
+        "sources": {"type": "array", "description": "where the numbers come from: strings, or tables with source and, if known, quantity, "
                     "value, unit, via, status and note"},
         "warnings": {"type": "array", "items": {"type": "string"}, "description": "texts that a run with this material prints"}}
     definitions["viscosity_law"] = law_schema(VISCOSITY)

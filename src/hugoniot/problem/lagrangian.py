@@ -122,7 +122,7 @@ class GaugeTable(Table):
 
     name: str = Field(min_length=1, max_length=checks.LONGEST_NAME, description="name of the gauge in gauges.csv and plots")
     at: Annotated[Any, BeforeValidator(_place), WithJsonSchema({"type": ["number", "string"], "unit": "m"})] = Field(
-        description="position at t = 0, or one of these texts: \"free surface left\", \"free surface right\", \"LEFT/RIGHT\" (the "
+        description="position at t = 0, or one of these strings: \"free surface left\", \"free surface right\", \"LEFT/RIGHT\" (the "
         "interface of two regions, left one first), \"REGION:left\", \"REGION:right\" (an end of a region)")
     window: str | None = Field(
         None, min_length=1, max_length=60, description="for a gauge at an interface in planar geometry: the first or last region, "

@@ -1,7 +1,8 @@
 """A one-dimensional simulation described by Python objects, which cannot be changed after they are made. All numbers are in SI.
 
-`read_deck` makes a `Problem` from a deck, and `hugoniot.run` runs one. Each value means the same as the corresponding key in the deck
-reference, which also says which values exclude each other. `write_deck` turns a problem into a deck that gives the same results.
+`read_deck` reads a deck into a `Deck`, whose attribute `problem` is a `Problem`; `hugoniot.run` runs either. Each value means the same as
+the corresponding key in the deck reference, which also says which values exclude each other. `write_deck` turns a problem into a deck that
+gives the same results.
 """
 
 from dataclasses import dataclass, field
@@ -108,7 +109,7 @@ class Gauge:
     """A Lagrangian gauge, which moves with the material.
 
     name            name of the gauge
-    at              position at t = 0 in m, or one of the texts "free surface left", "free surface right", "LEFT/RIGHT" (the interface of
+    at              position at t = 0 in m, or one of the strings "free surface left", "free surface right", "LEFT/RIGHT" (the interface of
                     two regions), "REGION:left" and "REGION:right" (the ends of a region)
     window          name of the first or last region, through which an interferometer looks at an interface; "" for none. The gauge then
                     also records `apparent_velocity`

@@ -106,7 +106,7 @@ def names() -> list[str]:
 def find(name: str, brief: bool = False) -> Material:
     """Return a `Material` of the library.
 
-    name    name, alias or id of a row, such as "copper", "Cu" or "U007"
+    name    name or alias, such as "copper" or "Cu"; or the id of a row, such as "U007", for a material of this row's constants alone
     brief   whether the search for similar names, which the error message offers, is skipped
 
     Raises `UnknownMaterial`, a `DeckError`, for an unknown name.
