@@ -7,7 +7,7 @@ from hugoniot.core.ops import NO_LIMIT
 from hugoniot.errors import HugoniotError
 from hugoniot.laws import burn as _burn  # noqa: F401  (enrols the burn laws)
 from hugoniot.laws.burn.contract import BURN, keeps_time
-from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.contract import EOS, reference_state
 from hugoniot.materials import burning
 from hugoniot.problem.defaults import FOR_PRODUCTS
 from hugoniot.problem.model import Problem
@@ -172,13 +172,27 @@ def follows_compression(material) -> bool:
     return "compression_driven" in BURN.of(material.burn).flags
 
 
-def crushing_density(problem: Problem, name: str) -> float:
-    """Density, kg/m3, to which nothing may press a material that has no pressure before its programmed front lights it; else NO_LIMIT."""
-    material = problem.materials[name]
+def crushing_density(material, regions) -> float:
+    """Density, kg/m3, to which nothing may press a material that has no pressure before its programmed front lights it; else NO_LIMIT.
+
+    regions    those (in two dimensions the blocks) of this material
+    """
     if material.burn is None or not keeps_time(material.burn, burning.has_reactants(material)):
         return NO_LIMIT
-    starts = [_start(material, region) for region in problem.regions if region.material == name]
+    starts = [_start(material, region) for region in regions]
     return CRUSHED * max((start[0] for start in starts if start is not None), default=NO_LIMIT)
+
+
+def crushed_unlit(problem, region, densest: float) -> tuple[str, str] | None:
+    """(cause, remedy) where zones of a region were crushed, to `densest` kg/m3, before a programmed front had lit them; else None."""
+    material = problem.materials[region.material]
+    if not front_speed(problem, region) > 0.0 or follows_compression(material):
+        return None
+    if not densest > CRUSHED * float(region.density or reference_state(material.eos)[0]):
+        return None
+    return (f"zones were crushed, to {densest:.4g} kg/m3, before the programmed front lit them: what pushes them arrives earlier, such as "
+            "a plate, or burned explosive that drives a faster front than the burn law allows (as in converging geometry).",
+            f"use a rate law, or allow compression to burn a zone ahead of its schedule:\n{with_compression(material, region)}")
 
 
 def with_compression(material, region) -> str:
@@ -191,27 +205,34 @@ def with_compression(material, region) -> str:
 
 
 def _weaker_advice(problem: Problem, body: list[int]) -> list[str]:
-    """Of fronts that are programmed to pass into a weaker explosive: the products behind overdrive it, and crush what is not lit yet.
-
-    Here the products release to the particle velocity of the weaker CJ state along the tangent of their isentrope, dp = -rho0 D du.
-    With 200 zones/cm Composition B crushes both TNT (CJ 21 GPa) and pentolite (25.5 GPa) within 1.5 cm.
-    """
+    """Of fronts that are programmed to pass into a weaker explosive, the texts of `weaker`."""
     said = []
     for a, b in zip(body, body[1:]):
         pair, side = (problem.regions[a], problem.regions[b]), _lit_from(problem, body, a)
-        for donor, other in [way for way, against in ((pair, 1), (pair[::-1], -1)) if side != against]:
-            material = problem.materials[other.material]
-            one, two = (_own_state(problem.materials[region.material], region) for region in (donor, other))
-            if one is None or two is None or follows_compression(material):
-                continue
-            rho0, speed = _start(problem.materials[donor.material], donor)[0], one.detonation_velocity
-            driven = one.state.pressure + rho0 * speed * (one.state.particle_velocity - two.state.particle_velocity)
-            if driven > OVERDRIVEN * two.state.pressure:
-                said.append(f"the programmed front passes from '{donor.name}' (CJ pressure {format_si(one.state.pressure, 'Pa', 3)}) into "
-                            f"'{other.name}' ({format_si(two.state.pressure, 'Pa', 3)}): the stronger products would drive a faster front "
-                            "than its schedule, so its zones are compressed before they are lit, the pressures come out too high, and on "
-                            f"a fine mesh the run stops; let compression burn them:\n{with_compression(material, other)}")
+        ways = [way for way, against in ((pair, 1), (pair[::-1], -1)) if side != against]
+        said += [text for donor, other in ways if (text := weaker(problem, donor, other))]
     return said
+
+
+def weaker(problem, donor, other) -> str:
+    """What happens where the programmed front passes from a region (or block) into a weaker explosive; "" where it is not weaker.
+
+    The products behind overdrive it, and crush what is not lit yet: they release to the particle velocity of the weaker CJ state along the
+    tangent of their isentrope, dp = -rho0 D du. With 200 zones/cm Composition B crushes both TNT (CJ 21 GPa) and pentolite (25.5 GPa)
+    within 1.5 cm.
+    """
+    material = problem.materials[other.material]
+    one, two = (_own_state(problem.materials[region.material], region) for region in (donor, other))
+    if one is None or two is None or follows_compression(material):
+        return ""
+    rho0, speed = _start(problem.materials[donor.material], donor)[0], one.detonation_velocity
+    driven = one.state.pressure + rho0 * speed * (one.state.particle_velocity - two.state.particle_velocity)
+    if driven <= OVERDRIVEN * two.state.pressure:
+        return ""
+    return (f"the programmed front passes from '{donor.name}' (CJ pressure {format_si(one.state.pressure, 'Pa', 3)}) into "
+            f"'{other.name}' ({format_si(two.state.pressure, 'Pa', 3)}): the stronger products would drive a faster front "
+            "than its schedule, so its zones are compressed before they are lit, the pressures come out too high, and on "
+            f"a fine mesh the run stops; let compression burn them:\n{with_compression(material, other)}")
 
 
 def _lit_from(problem: Problem, body: list[int], k: int) -> int:

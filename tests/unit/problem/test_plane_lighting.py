@@ -149,3 +149,19 @@ def test_paths_do_not_cut_through_a_polygon_of_many_corners():
     assert hidden.sum() == 24 - 3       # itself and its two neighbours are seen
     around = first_arrivals(-start, walls, start, [0.0], 1.0)
     assert around[0] == pytest.approx(12 * 2.0 * math.sin(math.pi / 24), rel=1e-9)
+
+
+@pytest.mark.parametrize("boxes, lit, warned", [
+    (("comp_b", "tnt"), (0.0, 1.0), True), (("comp_b", "tnt"), (8.0, 1.0), False), (("tnt", "comp_b"), (0.0, 1.0), False),
+    (("tnt", "comp_b"), (8.0, 1.0), True)])
+def test_a_front_that_passes_into_a_weaker_explosive_is_warned_of(boxes, lit, warned):
+    """From Composition B (CJ 28.7 GPa) into TNT (21 GPa), whichever block comes first; not the other way."""
+    blocks = [("one", boxes[0], box((0.0, 4.0), (0.0, 2.0), (8, 4))), ("two", boxes[1], box((4.0, 8.0), (0.0, 2.0), (8, 4)))]
+    found = [text for text in read_deck_text(deck(blocks, [(lit, 0.0)], materials=())).warnings if "stronger products" in text]
+    assert len(found) == warned and all("from 'one'" in text if lit[0] == 0.0 else "from 'two'" in text for text in found)
+
+
+def test_a_front_that_runs_along_a_joint_is_not_warned_of():
+    blocks = [("one", "comp_b", box((0.0, 8.0), (0.0, 1.0), (16, 2))), ("two", "tnt", box((0.0, 8.0), (1.0, 2.0), (16, 2)))]
+    line = [((0.0, 0.0), 0.0, (0.0, 2.0))]
+    assert not [text for text in read_deck_text(deck(blocks, line, materials=())).warnings if "stronger products" in text]

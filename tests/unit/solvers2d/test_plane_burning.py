@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from plane_builders import Boundary2D, Pulse, box, problem, ran, walls
 
+from hugoniot.errors import UnphysicalState
 from hugoniot.laws.burn.programmed import Programmed
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
@@ -107,3 +108,9 @@ def test_a_tube_lit_at_its_free_end_keeps_its_zones_and_its_energy():
     solver = ran(dataclasses.replace(given, lighting=(Lighting2D((0.0, 0.0), 0.0, (12.7e-3, 0.0)),)))
     assert solver.errors()["energy_error"] < 1e-12 and solver.errors()["momentum_y_error"] < 1e-12
     assert solver.nodes[N.x].max() > 15.4e-3 and solver.state().zones["energy"][320:].min() > -1e3
+
+
+def test_a_wall_that_crushes_an_explosive_before_it_is_lit_ends_the_run():
+    """Unlit zones were pressed to 14 700 kg/m3 and the message spoke of a fracture law."""
+    with pytest.raises(UnphysicalState, match="crushed, .* before the programmed front lit them: what pushes them arrives earlier"):
+        in_a_strip(gamma_products(), 40, 0.04, 5e-6, 1000.0, (0.04,), "plane", "true_volume")

@@ -4,9 +4,11 @@ import numpy as np
 
 from hugoniot.errors import HugoniotError
 from hugoniot.materials import burning
-from hugoniot.problem.explosives import burns, lighting_advice, material_advice, region_advice
-from hugoniot.problem.plane.lighting import bodies, holds, unlit
+from hugoniot.problem.explosives import burns, front_speed, lighting_advice, material_advice, region_advice, weaker
+from hugoniot.problem.plane.lighting import bodies, holds, unlit, zone_lighting_times
 from hugoniot.problem.plane.model import Problem2D
+
+HEAD_ON = 0.5      # of the time in which a front goes straight across a joint: one that runs along it is hardly later on the other side
 
 
 def defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
@@ -43,4 +45,22 @@ def advice(problem: Problem2D) -> list[str]:
     for block in problem.blocks:
         if burns(problem, block):
             said += [text for text in region_advice(problem, block) if text not in said]
+    return said + _weaker_advice(problem)
+
+
+def _weaker_advice(problem: Problem2D) -> list[str]:
+    """Of joints that a programmed front crosses into a weaker explosive, the texts of `problem.explosives.weaker`."""
+    said, mesh, times = [], problem.mesh, None
+    for joint in mesh.joints.values():
+        a, b = (problem.blocks[k] for k in joint.blocks)
+        if a.material == b.material or not all(front_speed(problem, block) > 0.0 for block in (a, b)):
+            continue
+        texts = weaker(problem, a, b), weaker(problem, b, a)
+        if any(texts):
+            times = zone_lighting_times(problem) if times is None else times
+            centres = mesh.nodes[:, mesh.zone_nodes[joint.zones]].mean(axis=-1)
+            apart = np.hypot(*(centres[:, :, 1] - centres[:, :, 0]))
+            later = np.median((times[joint.zones[:, 1]] - times[joint.zones[:, 0]]) / apart)
+            crossed = (later * front_speed(problem, a) > HEAD_ON, -later * front_speed(problem, b) > HEAD_ON)
+            said += [text for text, way in zip(texts, crossed) if text and way]
     return said

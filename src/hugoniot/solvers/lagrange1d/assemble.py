@@ -65,7 +65,8 @@ def laws_of_regions(problem: Problem, starts) -> tuple[list[Laws], list[int]]:
         # what has not begun to burn may have no sound at all
         own = {"noise": noise}
         if burns:
-            own = {"noise": noise + 1.0, "crushed": crushing_density(problem, region.material), **reactive.constants(problem, region)}
+            alike = [other for other in problem.regions if other.material == region.material]
+            own = {"noise": noise + 1.0, "crushed": crushing_density(material, alike), **reactive.constants(problem, region)}
         found[region.material] = laws_of(burning.reactive(material) if burns else material.eos,
                                          material.strength or STRENGTH.get("none").example,
                                          material.fracture or FRACTURE.get("none").example, viscosity_in(material, viscosity), **own)

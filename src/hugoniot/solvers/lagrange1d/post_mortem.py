@@ -5,7 +5,7 @@ import numpy as np
 from hugoniot.errors import UnphysicalState
 from hugoniot.laws.eos.contract import EOS, density_limits, pressure, reference_state
 from hugoniot.materials import burning
-from hugoniot.problem.explosives import CRUSHED, follows_compression, front_speed, with_compression
+from hugoniot.problem.explosives import crushed_unlit
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.units import format_si
@@ -69,22 +69,10 @@ def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str
 
 def ill_burned(problem, zones, charge, region_of, culprit: int) -> tuple[str, str] | None:
     """(cause, remedy) of a bad state that comes of burning, or None."""
-    return overrun(problem, zones, region_of, culprit) or torn_reactants(problem, zones, charge, region_of, culprit)
-
-
-def overrun(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
-    """(cause, remedy) where zones were crushed before a programmed front had lit them: they have no pressure that could resist."""
-    region = problem.regions[region_of[culprit]]
-    material = problem.materials[region.material]
-    if not front_speed(problem, region) > 0.0 or follows_compression(material):
-        return None
     near = slice(max(0, culprit - NEAR), culprit + NEAR + 1)
     densest = float(np.max(zones[Z.peak_density, near]))
-    if not densest > CRUSHED * float(region.density or reference_state(material.eos)[0]):
-        return None
-    return (f"zones were crushed, to {densest:.4g} kg/m3, before the programmed front lit them: what pushes them arrives earlier, such as "
-            "a plate, or burned explosive that drives a faster front than the burn law allows (as in converging geometry).",
-            f"use a rate law, or allow compression to burn a zone ahead of its schedule:\n{with_compression(material, region)}")
+    region = problem.regions[region_of[culprit]]
+    return crushed_unlit(problem, region, densest) or torn_reactants(problem, zones, charge, region_of, culprit)
 
 
 def torn_reactants(problem, zones, charge, region_of, culprit: int) -> tuple[str, str] | None:

@@ -10,6 +10,7 @@ from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.laws.viscosity.limited import Limited
 from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
+from hugoniot.problem.explosives import crushing_density
 from hugoniot.problem.plane.contact import trouble_on_the_axis
 from hugoniot.problem.plane.model import CELLS, VISCOSITIES, Problem2D
 from hugoniot.solvers.lagrange1d import reactive
@@ -221,7 +222,8 @@ def materials_of(problem: Problem2D, speed: float, near: float):
             continue
         material = problem.materials[block.material]
         fluid, burns = material.strength is None, material.burn is not None
-        own = reactive.constants(problem, block) if burns else {}
+        alike = [other for other in problem.blocks if other.material == block.material]
+        own = {"crushed": crushing_density(material, alike), **reactive.constants(problem, block)} if burns else {}
         eos = burning.reactive(material) if burns else material.eos
         laws = laws_of(eos, material.strength or STRENGTH.get("none").example,
                        material.fracture or FRACTURE.get("none").example, viscosity_law(problem, material, eos),

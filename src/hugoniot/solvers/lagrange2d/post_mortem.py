@@ -3,6 +3,7 @@
 import numpy as np
 
 from hugoniot.errors import UnphysicalState
+from hugoniot.problem.explosives import crushed_unlit
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.zone_shapes import areas
@@ -21,7 +22,9 @@ def diagnose(solver, code) -> UnphysicalState:
         zone, (cause, remedy) = broken, NO_NUMBER
     elif code == L.BAD_STATE:
         zone = max(int(first_unsound(z[Z.rho], z[Z.c], z[Z.sigma])), 0)
-        cause, remedy = _unsound({"rho": z[Z.rho, zone], "c": z[Z.c, zone], "e": z[Z.e, zone]})
+        part = solver.problem.blocks[solver.region_of[zone]]
+        cause, remedy = crushed_unlit(solver.problem, part, float(z[Z.rho, zone])) or _unsound(
+            {"rho": z[Z.rho, zone], "c": z[Z.c, zone], "e": z[Z.e, zone]})
     else:
         triangles = np.min([(np.roll(x, -k, 0)[1] - np.roll(x, -k, 0)[0]) * (np.roll(y, -k, 0)[-1] - np.roll(y, -k, 0)[0])
                             - (np.roll(y, -k, 0)[1] - np.roll(y, -k, 0)[0]) * (np.roll(x, -k, 0)[-1] - np.roll(x, -k, 0)[0])
@@ -39,7 +42,8 @@ def diagnose(solver, code) -> UnphysicalState:
     start = "" if np.isfinite(place).all() else "initially "
     if start:
         place = block.x[i:i + 2, j:j + 2].mean(), block.y[i:i + 2, j:j + 2].mean()
-    return UnphysicalState(f"{cause} (zone i = {i}, j = {j}, {start}at ({place[0]:.6g}, {place[1]:.6g}) m)", remedy, zone, block.name, None,
+    where = f" (zone i = {i}, j = {j}, {start}at ({place[0]:.6g}, {place[1]:.6g}) m)"
+    return UnphysicalState(cause.removesuffix(".") + where, remedy, zone, block.name, None,
                            solver.time, solver.cycle, values)
 
 
