@@ -14,7 +14,7 @@ from hugoniot.laws.mixture.contract import mixture_temperature
 from hugoniot.laws.mixture.reference_state import PASSING, found_state, is_passing, reactants_share
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.mixture import BURNED, PARTLY, end_of_stretch, phases, whole
-from hugoniot.zones.soundness import FOUND_RATE
+from hugoniot.zones.soundness import FOUND_RATE, FOUND_UNSOUND
 
 STEP_SHARE = 0.1     # of the shortest burning time a step may be
 NEARLY = 0.99        # burn fraction up to which the time step follows the rate
@@ -101,14 +101,16 @@ def pace_pass(count, z, dt, numbers, law):
     """Largest signal rate of burning; notes how well burning is resolved, and marks zones whose mixture was not found, or that were
     crushed before they burned: without a pressure until then, they would be pressed to nothing in ever shorter steps."""
     rows_apart()
-    constants, quickest = named(Constants, numbers), z.found[FOUND_RATE]
+    constants, quickest, bad = named(Constants, numbers), z.found[FOUND_RATE], 0
     for j in range(count):
         quickest = fmax(quickest, constants.per_rate * z.pace[j])
         if z.lam[j] > IGNITED and z.pace[j] > 0.0:
             z.resolution[j] = fmin(z.resolution[j], z.c[j] * z.inverse_width[j] / z.pace[j])
         sound = (z.status[j] == 0.0) & ((z.rho[j] < constants.crushed) | (z.lam[j] >= 1.0))
         z.c[j] = z.c[j] if sound else -1.0
+        bad += 0 if sound else 1
     z.found[FOUND_RATE] = quickest
+    z.found[FOUND_UNSOUND] += bad
 
 
 @zone_pass("reference shocked")

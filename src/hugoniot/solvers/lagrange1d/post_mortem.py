@@ -96,15 +96,19 @@ def torn_reactants(problem, zones, charge, region_of, culprit: int) -> tuple[str
             "that expands ([material.NAME.unreacted] law = \"mie_gruneisen\"; after a weak shock tension_cutoff over its own law will do).")
 
 
+def no_mixture(burn_fraction: float) -> tuple[str, str]:
+    """(cause, remedy) where the search for the state of a mixture failed."""
+    return ("reactants and products have no common pressure there: the search for the state of the mixture failed at a burn fraction of "
+            f"{burn_fraction:.6g}.", "lower [solver] courant, use finer zones, or choose another mixture law for the material.")
+
+
 def diagnose(code, values, left, right, breaks: bool) -> tuple[str, str]:
     """(cause, remedy) of a bad state; `breaks` says whether the material there has a fracture law."""
     if code == L.STEP_COLLAPSED:
         return ("the time step collapsed below 1e-12 of the stop time.",
                 "use coarser zones there, or zones whose widths vary less, or stop the run earlier.")
     if values.get("mixture_status", 0.0) != 0.0:
-        return ("reactants and products have no common pressure there: the search for the state of the mixture failed at a burn fraction "
-                f"of {values['burn_fraction']:.6g}.",
-                "lower [solver] courant, use finer zones, or choose another mixture law for the material.")
+        return no_mixture(values["burn_fraction"])
     if np.isnan(left + right):
         return ("a field of the zone is not a number any more: its state left the range of a law, or a boundary gave it no valid value.",
                 "check the initial state, the boundaries and the impact conditions against the laws' limits, or lower [solver] courant.")

@@ -4,6 +4,8 @@ import numpy as np
 
 from hugoniot.errors import UnphysicalState
 from hugoniot.problem.explosives import crushed_unlit
+from hugoniot.solvers.lagrange1d.layout import B
+from hugoniot.solvers.lagrange1d.post_mortem import no_mixture
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.zone_shapes import areas
@@ -22,9 +24,7 @@ def diagnose(solver, code) -> UnphysicalState:
         zone, (cause, remedy) = broken, NO_NUMBER
     elif code == L.BAD_STATE:
         zone = max(int(first_unsound(z[Z.rho], z[Z.c], z[Z.sigma])), 0)
-        part = solver.problem.blocks[solver.region_of[zone]]
-        cause, remedy = crushed_unlit(solver.problem, part, float(z[Z.rho, zone])) or _unsound(
-            {"rho": z[Z.rho, zone], "c": z[Z.c, zone], "e": z[Z.e, zone]})
+        cause, remedy = _ill_burned(solver, zone) or _unsound({"rho": z[Z.rho, zone], "c": z[Z.c, zone], "e": z[Z.e, zone]})
     else:
         triangles = np.min([(np.roll(x, -k, 0)[1] - np.roll(x, -k, 0)[0]) * (np.roll(y, -k, 0)[-1] - np.roll(y, -k, 0)[0])
                             - (np.roll(y, -k, 0)[1] - np.roll(y, -k, 0)[0]) * (np.roll(x, -k, 0)[-1] - np.roll(x, -k, 0)[0])
@@ -56,6 +56,15 @@ def _first_broken(solver) -> int | None:
             return int(np.argmax(bad))
     bad = ~np.isfinite([solver._corners(row) for row in (N.x, N.y, N.u, N.v)]).all(axis=(0, 1))
     return int(np.argmax(bad)) if bad.any() else None
+
+
+def _ill_burned(solver, zone) -> tuple[str, str] | None:
+    """(cause, remedy) of a bad state that comes of burning, or None."""
+    if not solver.burning:
+        return None
+    if solver.charge[B.status, zone] != 0.0:
+        return no_mixture(float(solver.charge[B.lam, zone]))
+    return crushed_unlit(solver.problem, solver.problem.blocks[solver.region_of[zone]], float(solver.zones[Z.rho, zone]))
 
 
 def _unsound(values) -> tuple[str, str]:
