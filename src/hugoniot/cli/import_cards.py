@@ -8,7 +8,7 @@ import typer
 from hugoniot.cli.show import quantity
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.files import read_regular
-from hugoniot.materials.ls_dyna import material_tables, read_cards, scale_of
+from hugoniot.materials.ls_dyna import material_tables, read_cards, scale_of, tension_note
 from hugoniot.materials.read import build_material
 from hugoniot.problem.write import to_toml
 
@@ -44,13 +44,17 @@ def command(
                                'write --units "g cm us", or give a deck of pyKO or KO, whose name ends in .yml, .yaml or .in')
     else:
         given = quantity(density, "kg/m^3", "--density") if density else None
-        tables, left = material_tables(read_cards(text, file.name), scale_of(units), file.name, given)
+        cards, scale = read_cards(text, file.name), scale_of(units)
+        tables, left = material_tables(cards, scale, file.name, given)
         problems: list[DeckProblem] = []
         made = build_material(name, tables, problems, file.name, lambda path: None)
         if problems or made is None:
             raise DeckError(problems)
         shown = to_toml({"material": {name: tables}})
-        left = [*left, *_as_a_deck(name, shown, file.name)]
+        if "EOS_GRUNEISEN" in cards:
+            left.append(tension_note(cards["EOS_GRUNEISEN"], made.eos, scale))
+        if doubts := _as_a_deck(name, shown, file.name):
+            left += [*doubts, f'the numbers above are SI, converted from --units "{units}": are these the units of the file?']
     if out is None:
         typer.echo(shown.strip())
     else:

@@ -9,7 +9,7 @@ from typing import Any
 
 from hugoniot.errors import DeckError
 from hugoniot.materials.collect import printable
-from hugoniot.problem.ko_decks import GEOMETRIES, KoDeck, Layer, fracture_table
+from hugoniot.problem.ko_decks import GEOMETRIES, KoDeck, Layer, check_reference, fracture_table
 
 CM, MBAR, US = 1e-2, 1e11, 1e-6
 SPEED, DENSITY = CM / US, 1000.0
@@ -20,9 +20,9 @@ LEAST = 17              # numbers of a layer, up to the specific heat
 def read_columns(text: str, file: str) -> KoDeck:
     """The deck in a text of columns. Raises `DeckError`."""
     lines = text.splitlines()
-    layers, at = [], 2
+    layers, at, left = [], 2, []
     while at < len(lines) and lines[at].strip():
-        layers.append(_layer(_numbers(lines[at], WIDTHS, LEAST, file, at + 1), file, at + 1, len(layers) + 1))
+        layers.append(_layer(_numbers(lines[at], WIDTHS, LEAST, file, at + 1), file, at + 1, len(layers) + 1, left))
         at += 1
     if not layers:
         raise DeckError.single(file, 3, "layers", "no layer is given", "layers follow two lines of headings")
@@ -31,7 +31,7 @@ def read_columns(text: str, file: str) -> KoDeck:
     stop, dimension = (_numbers(line, (20,), 1, file, at + 8 + 2 * k)[0] for k, line in enumerate(_lines(lines, at + 7, 3, file)[::2]))
     if dimension not in (1.0, 2.0, 3.0):
         raise DeckError.single(file, at + 10, "geometry", f"{dimension:g} is not 1, 2 or 3")
-    return KoDeck("", GEOMETRIES[int(dimension)], stop * US, tuple(layers), (ends[0], ends[1]))
+    return KoDeck("", GEOMETRIES[int(dimension)], stop * US, tuple(layers), (ends[0], ends[1]), left=left)
 
 
 def _lines(lines: list[str], at: int, count: int, file: str) -> list[str]:
@@ -61,12 +61,13 @@ def _numbers(line: str, widths: tuple[int, ...], least: int, file: str, number: 
     return found
 
 
-def _layer(row: list[float], file: str, line: int, number: int) -> Layer:
+def _layer(row: list[float], file: str, line: int, number: int, left: list[str]) -> Layer:
     kind, nodes, length, start, p, u, rho, e, reference, c0, s1, s2, gamma, flow, shear, limit, heat = row[:LEAST]
     eos: dict[str, Any]
     if kind == 1:
         if s2:
             raise DeckError.single(file, line, "s2", "a quadratic shock velocity is not supported", "set s2 to 0")
+        check_reference(rho * DENSITY, reference * DENSITY, file, "Rho_00", line)
         eos = {"law": "wilkins_cubic", "rho0": reference * DENSITY, "c0": c0 * SPEED, "s": s1, "gamma0": gamma}
     elif kind == 2:
         eos = {"law": "ideal_gas", "gamma": gamma, "rho0": rho * DENSITY}
@@ -82,6 +83,10 @@ def _layer(row: list[float], file: str, line: int, number: int) -> Layer:
     if nodes % 2 or nodes < 2:
         raise DeckError.single(file, line, "Nodes", f"{nodes:g} is not an even number of nodes above 0",
                                "KO counts centres and edges: 2 per cell")
+    own = p / (gamma - 1.0) if p else 0.0      # KO v11 overwrites E_0 by this, also where the law is not a gas
+    if abs(own - e) > 1e-3 * max(abs(own), abs(e)):
+        left.append(f"layer {number}: the initial energy is E_0 = {e:g} Mbar, as in pyKO; KO v11 ignores E_0 and takes "
+                    f"P_0/(gamma - 1) = {own:g} Mbar")
     return Layer(f"layer {number}", start * CM, length * CM, int(nodes) // 2, u * SPEED, rho * DENSITY, e * MBAR / (rho * DENSITY),
                  p * MBAR, tables)
 

@@ -54,6 +54,13 @@ def fracture_table(limit: float, least_density: float | None) -> dict[str, Any] 
     return {"law": "pressure_volume", "pressure_limit": -limit, "volume_limit": 1.0 / (least_density or 1.0)}
 
 
+def check_reference(initial: float, reference: float, file: str, key: str, line: int | None = None) -> None:
+    """Refuse a Mie-Grüneisen layer that does not begin at its reference density, kg/m3: pyKO stops, and KO ignores the reference."""
+    if abs(initial - reference) > 1e-9 * initial:
+        raise DeckError.single(file, line, key, f"the reference density {reference:g} kg/m3 is not the initial density {initial:g} kg/m3, "
+                               "which neither pyKO nor KO can run", "make both the same; a region of the deck can have another density")
+
+
 def deck_tables(source: KoDeck, file: str) -> tuple[dict[str, Any], list[str]]:
     """(tables of a deck in SI, sentences on what their deck says and this one does not). Raises `DeckError`."""
     left, regions, materials = list(source.left), [], {}

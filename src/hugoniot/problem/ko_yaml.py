@@ -13,7 +13,7 @@ import yaml
 
 from hugoniot.errors import DeckError
 from hugoniot.materials.collect import printable
-from hugoniot.problem.ko_decks import GEOMETRIES, KoDeck, Layer, fracture_table
+from hugoniot.problem.ko_decks import GEOMETRIES, KoDeck, Layer, check_reference, fracture_table
 from hugoniot.units import UnitError, parse
 
 LARGEST = 200_000        # characters
@@ -157,7 +157,9 @@ class _Reader:
         if kind == "MGR":
             if self.number(eos, "s2", None, 0.0, where=key):
                 raise self.wrong(f"{key}.eos.s2", "a quadratic term is not part of pyKO's MGR", "set it to 0")
-            table = {"law": "wilkins_cubic", "rho0": self.number(eos, "rhoref", "density", where=key),
+            reference = self.number(eos, "rhoref", "density", where=key)
+            check_reference(density, reference, self.file, f"{key}.eos.rhoref")
+            table = {"law": "wilkins_cubic", "rho0": reference,
                      "c0": self.number(eos, "c0", "velocity", where=key), "s": self.number(eos, "s1", None, where=key),
                      "gamma0": self.number(eos, "gamma0", None, where=key)}
             warm = {"specific_heat": heat, "reference_temperature": self.number(start, "t0", "temperature", 298.15, where=key)}

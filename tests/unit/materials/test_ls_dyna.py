@@ -7,13 +7,18 @@ import pytest
 from hugoniot.cli import main as front
 from hugoniot.errors import DeckError
 from hugoniot.laws.eos.contract import pressure
-from hugoniot.materials.ls_dyna import material_tables, read_cards, scale_of
+from hugoniot.materials.ls_dyna import material_tables, read_cards, scale_of, tension_note
 from hugoniot.materials.read import build_material
 
 
 def columns(*fields):
     """A card of fields ten columns wide."""
     return "".join(f"{field:>10}" for field in fields) + "\n"
+
+
+def long_card(*fields):
+    """A card of the long format, fields twenty columns wide."""
+    return "".join(f"{field:>20}" for field in fields) + "\n"
 
 
 STEEL = ("*KEYWORD\n*MAT_JOHNSON_COOK_TITLE\n4340 steel\n$      mid        ro         g\n" + columns(1, 7.83, 0.818)
@@ -52,6 +57,34 @@ def test_two_systems_of_units_give_one_material():
     assert any("6930 m/s" in text for text in left)
 
 
+@pytest.mark.parametrize("first, mark", [("*KEYWORD LONG=Y\n", ""), ("*KEYWORD\n", "+"), ("*KEYWORD\n", " +")])
+def test_the_long_format_has_fields_of_twenty_columns(first, mark):
+    """A card written in both formats is one material; read in tens, C would be the blank or the next number."""
+    card, v0 = (1, 0.4569, 1.49, 0.3, -0.2, 2.17, 0.46, 0.0), (1.0,)
+    short, _ = built("*KEYWORD\n*EOS_GRUNEISEN\n" + columns(*card) + columns(*v0), density=7830.0)
+    long, _ = built(f"{first}*EOS_GRUNEISEN{mark}\n" + long_card(*card) + long_card(*v0), density=7830.0)
+    assert long.eos == pytest.approx(short.eos, nan_ok=True) and long.eos.c0 == pytest.approx(4569.0)
+    back, _ = built("*KEYWORD LONG=Y\n*EOS_GRUNEISEN-\n" + columns(*card) + columns(*v0), density=7830.0)
+    assert back.eos.c0 == pytest.approx(4569.0)
+
+
+def test_a_density_is_given_once_and_temperatures_are_kelvin():
+    with pytest.raises(DeckError, match="already gives the density"):
+        built(STEEL, density=2000.0)
+    assert not any("kelvin" in text for text in built(STEEL)[1])
+    assert any("kelvin" in text for text in built(STEEL.replace("1793.0", "1520.0").replace("294.0", "20.0"))[1])
+
+
+def test_the_note_on_tension_states_the_difference_of_the_two_laws():
+    """Isentrope of the law at E = 0 against rho0 C^2 mu, by hand: eta (1 - a eta/2)(1 - ...)/(1 - a eta)^2, a = 4 s/3."""
+    card = {"C": 0.4569}
+    made, _ = built("*EOS_GRUNEISEN\n1,0.4569,1.49,0,0,2.17,0,0\n1.0\n", density=7830.0)
+    eta, a = -0.02, 4.0 / 3.0 * 1.49      # a volume of 1.02
+    cold = eta * (1.0 - 0.5 * a * eta) / (1.0 - a * eta) ** 2 - 2.17 * 0.5 * eta**2 / (1.0 - a * eta)
+    less = 100.0 * (1.0 - cold / (-0.02 / 1.02))
+    assert f"{less:.1f}% lower" in tension_note(card, made.eos, scale_of("g cm us"))
+
+
 def test_numbers_of_keywords_and_a_density_of_the_user():
     assert built(TNT)[0].eos.rho0 == pytest.approx(1630.0)
     alone = TNT[TNT.index("*EOS"):]
@@ -69,6 +102,8 @@ def test_numbers_of_keywords_and_a_density_of_the_user():
     (STEEL.replace("0.4569", "&cs"), "parameters"),
     (STEEL.replace(",0.46,0.0", ",0.46,0.1"), "give the state in the region of the deck"),
     (STEEL + STEEL, "appears twice"),
+    (STEEL.replace("0.46,0.0\n1.0\n", "0.46,0.0\n1.0,,7\n"), "energy deposition"),
+    (STEEL[:STEEL.index("*EOS")] + "*EOS_GRUNEISEN\n" + long_card(1, 0.4569, 1.49, 0.0, 0.0, 2.17) + long_card(1.0), "beyond its 8 fields"),
 ])
 def test_files_that_are_no_single_material(text, words):
     with pytest.raises(DeckError, match=words):

@@ -4,6 +4,7 @@ Figures of pyKO come from runs of v0.8 (github.com/ImpactsWiki/pyko, commit 9bcc
 test: first step 1 ns, a sixth of Wilkins' step for the plates, the whole one for the gas.
 """
 
+import re
 import tomllib
 
 import numpy as np
@@ -144,6 +145,23 @@ def test_columns_that_run_together_are_read_by_their_widths():
     source = read_columns(COLUMNS.replace(COLUMNS.splitlines()[2], line), "own")
     assert source.layers[0].energy == pytest.approx(4.34e-3 * 1e11 / 2700.0)
     assert source.layers[0].tables["eos"]["specific_heat"] == pytest.approx(2430.0)
+
+
+def test_an_energy_that_ko_itself_would_ignore_is_named():
+    """KO v11 takes P_0/(gamma - 1) whatever E_0 is: 0 for a plate at rest, and what E_0 says for a gas whose columns agree."""
+    gas = "      2     40    2.0    0.0    0.5    0.0   10.0   {}    0.0    0.0    0.0    0.0    1.4    0.0    0.0    0.0   25.0"
+    plate = COLUMNS.splitlines()[2].replace("2.785    0.0", "2.785 4.3e-3")
+    assert [text for text in tables_of(COLUMNS.replace(COLUMNS.splitlines()[2], gas.format(1.25)), read_columns)[1] if "E_0" in text] == []
+    for line, own in ((plate, "= 0 Mbar$"), (gas.format(2.0), "= 1.25 Mbar$")):
+        left = [text for text in tables_of(COLUMNS.replace(COLUMNS.splitlines()[2], line), read_columns)[1] if "E_0" in text]
+        assert len(left) == 1 and re.search(own, left[0])
+
+
+def test_a_reference_density_that_their_codes_do_not_take_is_refused():
+    with pytest.raises(DeckError, match="Rho_00.*2785 kg/m3 is not the initial density 2000"):
+        tables_of(COLUMNS.replace("2.785    0.0  2.785", "2.000    0.0  2.785"), read_columns)
+    with pytest.raises(DeckError, match="mat1.eos.rhoref"):
+        tables_of(PLATES.replace("rhoref: 2.785", "rhoref: 2.7"))
 
 
 def test_steinberg_guinan_and_tillotson_keep_their_meaning():
