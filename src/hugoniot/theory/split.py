@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hugoniot.errors import HugoniotError
-from hugoniot.theory.hugoniot import Initial, curve, shock
+from hugoniot.theory.hugoniot import Initial, shock
 from hugoniot.theory.states import States
 
 SAMPLES = 201
@@ -34,8 +34,7 @@ def split_wave(material, ahead: Initial, single: States) -> Split | None:
     up, us = float(single.particle_velocity) - ahead.velocity, float(single.shock_velocity) - ahead.velocity
     if not up > 0.0 or ahead.heat or not _outrun(material, ahead, up, us):
         return None
-    found = curve(material, ahead, points=SAMPLES, up_to=up, once=True)
-    jumps, speeds = found.particle_velocity - ahead.velocity, found.shock_velocity - ahead.velocity
+    jumps, speeds = _hugoniot(material, ahead, SAMPLES, up)
     k = 1 + int(np.argmax(speeds[1:]))
     if k in (1, SAMPLES - 1) or speeds[k] <= us * (1.0 + NOTICED):
         return None
@@ -64,13 +63,18 @@ def _outrun(material, ahead: Initial, up: float, us: float) -> bool:
     return False
 
 
+def _hugoniot(material, ahead: Initial, points: int, up_to: float) -> tuple[np.ndarray, np.ndarray]:
+    """Particle velocities relative to the state ahead and the shock velocities there, closest together at the foot of the Hugoniot, since a
+    precursor may end at a small part of the particle velocity behind the second shock."""
+    jumps = up_to * np.linspace(0.0, 1.0, points) ** 2
+    return jumps, shock(material, ahead, once=True, particle_velocity=ahead.velocity + jumps).shock_velocity - ahead.velocity
+
+
 def split_range(material, ahead: Initial, up_to: float) -> tuple[float, float] | None:
     """Lowest and highest particle velocity jump of the states up to `up_to` that a faster, weaker shock would outrun; None: no state is."""
-    states = curve(material, ahead, points=5 * SAMPLES, up_to=up_to, once=True)
-    speeds = states.shock_velocity[1:] - ahead.velocity
+    jumps, speeds = (values[1:] for values in _hugoniot(material, ahead, 5 * SAMPLES, up_to))
     outrun = np.maximum.accumulate(speeds) > speeds * (1.0 + NOTICED)
     # a curve that falls from its foot has no precursor of finite strength
     if not outrun.any() or not np.argmax(speeds[:np.argmax(outrun) + 1]) > 0:
         return None
-    up = states.particle_velocity[1:][outrun] - ahead.velocity
-    return float(up.min()), float(up.max())
+    return float(jumps[outrun].min()), float(jumps[outrun].max())

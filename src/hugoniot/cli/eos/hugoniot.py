@@ -12,6 +12,7 @@ from hugoniot.cli.eos.splits import split_notes
 from hugoniot.cli.show import quantity
 from hugoniot.dossier.fits import library_points
 from hugoniot.errors import DeckError, OutOfRange
+from hugoniot.materials.validity import rounded
 from hugoniot.theory.fits import read_points
 from hugoniot.theory.hugoniot import Initial, curve, shock
 from hugoniot.theory.split import split_range
@@ -130,8 +131,8 @@ def _splits(f: Answer, single: bool) -> list[str]:
     if not single:
         between = split_range(f.subject.material, f.ahead, float(np.max(f.states.particle_velocity)) - f.ahead.velocity)
         return [] if between is None else [
-            f"from {cell('particle_velocity', between[0])} to {cell('particle_velocity', between[1])} no single shock exists: a faster "
-            "precursor runs ahead; --at gives the states behind both waves"]
+            f"from {rounded(between[0])} to {rounded(between[1])} no single shock exists: a faster precursor runs ahead; --at gives the "
+            "states behind both waves"]
     return split_notes(f.subject.material, f.states, f.ahead)
 
 
