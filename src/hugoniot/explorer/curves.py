@@ -7,11 +7,13 @@ import numpy as np
 
 from hugoniot.dossier import curves as house
 from hugoniot.errors import HugoniotError, NoSolution, OutOfRange
+from hugoniot.explorer.splits import about_split, split_of
 from hugoniot.explorer.subjects import entry_of, inert_or_none, reacted
 from hugoniot.explorer.surfaces import range_of
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials import library, schema
 from hugoniot.materials.entry import Entry
+from hugoniot.materials.validity import about_jump, about_law
 from hugoniot.theory.chapman_jouguet import cj, detonation_hugoniot
 from hugoniot.theory.exact.plate_push import gurney
 from hugoniot.theory.fits import UsUpFit
@@ -61,8 +63,11 @@ def _inert(material, entry: Entry, measured: list) -> dict:
     states = _reached(material, ahead, _top(material, ahead, measured))
     top = len(states) - 1
     ends = [states[round(k * top / 4)] for k in (1, 2, 3, 4)]
+    split = split_of(entry)
+    told = [split["range"]] if split and split["low"] <= float(states.particle_velocity[-1]) else []
     return {"ahead": {"density": ahead.density, "pressure": ahead.pressure, "energy": ahead.energy}, "hugoniot": columns(states),
             "releases": [r for r in (_release(material, s) for s in ends) if r], "isentrope": _from_rest(material, ends[-1]),
+            "notes": [*told, *about_law(material)],
             "sources": _other_sources(entry, float(states.particle_velocity[-1]))}
 
 
@@ -86,6 +91,8 @@ def _reached(material, ahead: Initial, top: float) -> States:
 
 
 def _release(material, start: States) -> dict | None:
+    if about_law(material):
+        return None
     try:
         return columns(release(material, start, max(float(reference(material).pressure), 0.0), points=ALONG_A_RELEASE))
     except HugoniotError:
@@ -95,6 +102,8 @@ def _release(material, start: States) -> dict | None:
 def _from_rest(material, end: States) -> dict | None:
     """The isentrope through the state at rest, up to the pressure of `end`."""
     start = reference(material)
+    if about_law(material):
+        return None
     try:
         return columns(isentrope(material, start, pressure=np.linspace(start.pressure, end.pressure, 2 * ALONG_A_RELEASE)))
     except HugoniotError:
@@ -160,19 +169,22 @@ BY = {"particle_velocity": "m/s", "pressure": "Pa", "shock_velocity": "m/s", "de
 
 
 def state_of(name: str, by: str, value: float) -> dict[str, Any]:
-    """All numbers of one state of the principal Hugoniot, the Rayleigh line to it, and the release from it.
+    """All numbers of one state of the principal Hugoniot, where its Rayleigh line starts, the release from it, and `warnings`.
 
     Raises `OutOfRange` with the limit of the law, `DeckError` for an unknown name or field.
     """
     if by not in BY:
         raise OutOfRange(f"a state needs exactly one of {', '.join(BY)}")
-    material = inert_or_none(entry_of(name))
+    entry = entry_of(name)
+    material = inert_or_none(entry)
     if material is None:
         raise OutOfRange(f"{name}: the library has only its detonation products, which have no principal Hugoniot")
     ahead = Initial.at_rest(material)
     found = shock(material, ahead, **{by: value})
-    return {"state": found.table(*_MORE), "ahead": {"density": ahead.density, "pressure": ahead.pressure},
-            "release": _release(material, found)}
+    jump = float(found.particle_velocity)
+    return {"state": found.table(*(("entropy",) if about_law(material) else _MORE)), "release": _release(material, found),
+            "ahead": {"density": ahead.density, "pressure": ahead.pressure},
+            "warnings": [*about_split(entry, jump), *about_jump(material, jump), *about_law(material)]}
 
 
 def bands() -> dict[str, dict]:

@@ -5,10 +5,11 @@ from typing import Any
 
 from hugoniot.dossier import fits
 from hugoniot.errors import DeckError, OutOfRange
+from hugoniot.explorer.splits import about_split, split_of
 from hugoniot.explorer.subjects import entry_of, inert
 from hugoniot.explorer.transcribed import parameters
 from hugoniot.materials.entry import Entry
-from hugoniot.materials.validity import about_shock, beyond_data
+from hugoniot.materials.validity import about_law, about_shock, beyond_data
 from hugoniot.theory.impedance import Match, first_jump, match
 from hugoniot.theory.uncertainty import matched, propagate
 
@@ -30,7 +31,7 @@ def impact(names: Sequence[str], velocity: float, sigma: float = 0.0, bands: boo
     met = match(layers, velocity)
     spreads, used = _spreads(entries, layers, velocity, sigma, bands)
     rows = [_row(m, names, [s for s in spreads if s[0] == i]) for i, m in enumerate(met)]
-    return {"layers": list(names), "velocity": velocity, "states": rows, "uncertain": used, "warnings": _warnings(layers, velocity, met)}
+    return {"layers": list(names), "velocity": velocity, "states": rows, "uncertain": used, "warnings": _warnings(entries, velocity, met)}
 
 
 def _row(m: Match, names: Sequence[str], spreads: list) -> dict:
@@ -39,9 +40,10 @@ def _row(m: Match, names: Sequence[str], spreads: list) -> dict:
     return row | ({"uncertainty": {key: sigma for _, key, sigma in spreads}} if spreads else {})
 
 
-def _warnings(layers: Sequence, velocity: float, met: Sequence[Match]) -> list[str]:
+def _warnings(entries: Sequence[Entry], velocity: float, met: Sequence[Match]) -> list[str]:
     """What must be said about every layer, each once."""
-    return list(dict.fromkeys(text for i, layer in enumerate(layers) for text in about_shock(layer, first_jump(i, velocity, met))))
+    jumps = [first_jump(i, velocity, met) for i in range(len(entries))]
+    return list(dict.fromkeys(text for e, jump in zip(entries, jumps) for text in (*about_split(e, jump), *about_shock(inert(e), jump))))
 
 
 # -- error bands -----------------------------------------------------------------------------------------------------
@@ -66,6 +68,7 @@ def layer(entry: Entry) -> dict[str, Any]:
         return {"none": error.problems[0].message}
     limit, words = beyond_data(material)
     found = {"title": entry.title, "law": parameters(material.eos), "beyond": {"limit": limit, "words": words} if words else None,
-             "warnings": about_shock(material), "burns": entry.category.startswith("explosive") and entry.unreacted is not None}
+             "split": split_of(entry), "of_law": about_law(material), "warnings": about_shock(material),
+             "burns": entry.category.startswith("explosive") and entry.unreacted is not None}
     known = fits.of_law(entry.rows, material.eos)
     return found if known is None else found | {"bands": {"names": known[0], "covariance": known[1]}}

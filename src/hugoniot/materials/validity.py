@@ -82,11 +82,18 @@ def beyond_data(material: Material) -> tuple[float, str]:
 def about_shock(material: Material, jump: float = 0.0) -> list[str]:
     """What must be said with an answer about a material: where a shock that changes the particle velocity by `jump` (m/s) extrapolates its
     data, what its law cannot describe, unlikely constants, its own warnings."""
+    return [*about_jump(material, jump), *about_law(material), *unlikely(material.name, material), *material.warnings]
+
+
+def about_jump(material: Material, jump: float) -> list[str]:
+    """Where a shock that changes the particle velocity by `jump` (m/s) extrapolates the data of a material."""
     limit, words = beyond_data(material)
-    found = [words.replace("{up}", f"{jump:.6g}")] if jump > limit else []
-    if flagged(material.eos, "shocks_only"):
-        found.append(SHOCKS_ONLY)
-    return [*found, *unlikely(material.name, material), *material.warnings]
+    return [words.replace("{up}", f"{jump:.6g}")] if jump > limit else []
+
+
+def about_law(material: Material) -> list[str]:
+    """What the law of a material cannot describe."""
+    return [SHOCKS_ONLY] if flagged(material.eos, "shocks_only") else []
 
 
 def _ends(par) -> list[tuple[float, str]]:

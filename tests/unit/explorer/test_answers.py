@@ -124,6 +124,31 @@ def test_a_match_is_warned_of_as_by_the_command(layers, beyond):
         assert said == (name in beyond)
 
 
+def test_a_wave_that_splits_is_said_to_in_matches_curves_and_states(client):
+    """In porous aluminium behind a precursor of 7 m/s, as the command says; a shock faster than the precursor holds together."""
+    theirs = " ".join(printed("match", "copper", "aluminum_porous", "--velocity", "1 km/s")["warnings"])
+    mine = impact.impact(["copper", "aluminum_porous"], 1000.0)
+    up = f"no single shock leads to up = {mine['states'][0]['particle_velocity']:.6g} m/s"
+    assert up[:-5] in theirs and any(text.startswith(up) for text in mine["warnings"])
+    split = ask(client, "layers")["aluminum_porous"]["split"]
+    assert split["low"] == pytest.approx(7.05, abs=0.2) and split["high"] == pytest.approx(1653.0, abs=20.0)     # tests of theory.split
+    assert any("no single shock exists" in text for text in curves.curves_of("aluminum_porous")["notes"])
+    for value, splits in ((500.0, True), (1800.0, False)):
+        found = ask(client, "state", name="aluminum_porous", by="particle_velocity", value=value)["warnings"]
+        assert any("no single shock" in text for text in found) == splits and any("is not known" in text for text in found)
+    assert not any("no single shock" in text for text in curves.curves_of("copper")["notes"])
+
+
+def test_a_law_of_shocks_alone_has_no_releases(tmp_path, client):
+    """Its pressure does not depend on the density: the command prints no Grüneisen parameter and calls releases meaningless."""
+    (tmp_path / "kb.toml").write_text('[eos]\nlaw = "shock_energy"\nrho0 = 1770.0\nc0 = 3080.0\ns = 2.01\n')
+    subjects.admit(tmp_path / "kb.toml")
+    found, state = curves.curves_of("kb"), ask(client, "state", name="kb", by="particle_velocity", value=1000)
+    assert found["releases"] == [] and found["isentrope"] is None and any("meaningless" in text for text in found["notes"])
+    assert state["release"] is None and "gruneisen" not in state["state"] and any("meaningless" in text for text in state["warnings"])
+    assert state["state"]["pressure"] == pytest.approx(1770.0 * (3080.0 + 2.01 * 1000.0) * 1000.0)
+
+
 def test_the_page_is_given_every_material_that_a_shock_may_meet(client):
     """With the parameters of its law, to the last bit, so that the page computes what the command prints."""
     found = ask(client, "layers")

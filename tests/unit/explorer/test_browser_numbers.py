@@ -206,7 +206,7 @@ def test_the_page_computes_the_impacts_of_the_theory(visit):
     """Of every law of the library, in stacks, reshocked and released, with temperatures and error bands: to round-off."""
     page = visit().go("#/match")
     stacks = [(["tungsten", "pmma"], 37.0), (["copper", "aluminum", "lif", "pmma", "tungsten", "water", "iron", "pmma"], 1234.5), (["U012", "T004", "M010", "basalt"], 2500.0),
-              (["iron", "air", "copper"], 900.0), (["comp_b", "brass", "J043", "copper"], 1500.0), (["pbx_9502", "M200", "M120", "polystyrene"], 3000.0), (["iron", "water", "iron"], 800.0)]
+              (["iron", "air", "copper"], 900.0), (["comp_b", "brass", "J043", "copper"], 1500.0), (["pbx_9502", "M200", "M120", "polystyrene"], 3000.0), (["iron", "water", "iron"], 800.0), (["copper", "basalt_porous", "aluminum_porous"], 700.0)]
     seen = set()
     for names, velocity in stacks:
         mine = page.evaluate(f"H.impact.impact({names!r}, {velocity}, {{sigma: 5, bands: true}})")

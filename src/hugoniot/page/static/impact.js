@@ -21,8 +21,9 @@ H.impact = (() => {
   const reference = (par, velocity = 0) => { const [density, energy] = T.reference_state(par); return {par, density, pressure: T.pressure(density, energy, par), specific_internal_energy: energy, particle_velocity: velocity, shock_velocity: null}; };
   const squared = (par, s) => T.sound_speed_squared(s.density, s.specific_internal_energy, par);
   const known = value => Number.isFinite(value) ? value : null;
-  const columns = s => { const {par, density, pressure, specific_internal_energy, particle_velocity, shock_velocity} = s, at = [density, specific_internal_energy, par]; return {pressure, density, particle_velocity, shock_velocity, specific_internal_energy, temperature: par.law.temperature ? known(T.temperature(...at)) : null, sound_speed: known(Math.sqrt(squared(par, s)))}; };
-  const more = s => { const at = [s.density, s.specific_internal_energy, s.par]; return {entropy: s.par.law.entropy ? known(T.entropy(...at)) : null, gruneisen: T.gruneisen(...at), adiabatic_exponent: known(s.density * squared(s.par, s) / s.pressure)}; };
+  const gives = (par, name) => name in par.law && Object.values(par).every(inner => !inner?.law || gives(inner, name));     // laws inside too
+  const columns = s => { const {par, density, pressure, specific_internal_energy, particle_velocity, shock_velocity} = s, at = [density, specific_internal_energy, par]; return {pressure, density, particle_velocity, shock_velocity, specific_internal_energy, temperature: gives(par, "temperature") ? known(T.temperature(...at)) : null, sound_speed: known(Math.sqrt(squared(par, s)))}; };
+  const more = s => { const at = [s.density, s.specific_internal_energy, s.par]; return {entropy: gives(s.par, "entropy") ? known(T.entropy(...at)) : null, gruneisen: T.gruneisen(...at), adiabatic_exponent: known(s.density * squared(s.par, s) / s.pressure)}; };
 
   function shock(par, start, by, value, direction = 1) {        // into `start`
     const ahead = {density: start.density, pressure: start.pressure, energy: start.specific_internal_energy, heat: 0}, velocity = by.endsWith("velocity");
@@ -145,14 +146,10 @@ H.impact = (() => {
     return {rows, used: [...new Set(inputs.map(input => input.name ?? "velocity"))]};
   }
 
+  const about = (l, jump) => [...(l.split && jump >= l.split.low && jump <= l.split.high ? [l.split.words] : []), ...(l.beyond && jump > l.beyond.limit ? [l.beyond.words] : [])].map(words => words.replace("{up}", H.digits(jump)));
   function warnings(layers, velocity, met) {
-    const found = [];
-    layers.forEach((l, i) => {
-      const jump = i === 0 ? velocity - met[0].behind.particle_velocity : met[i - 1].ahead.particle_velocity;
-      if (l.beyond && jump > l.beyond.limit) found.push(l.beyond.words.replace("{up}", H.digits(jump)));
-      found.push(...l.warnings);
-    });
-    return [...new Set(found)];
+    const jump = i => i === 0 ? velocity - met[0].behind.particle_velocity : met[i - 1].ahead.particle_velocity;
+    return [...new Set(layers.flatMap((l, i) => [...about(l, jump(i)), ...l.warnings]))];
   }
 
   // the states at every interface, flyer first, SI, with the curves that meet there
@@ -165,12 +162,13 @@ H.impact = (() => {
 
   // one state of the principal Hugoniot, with the release from it
   async function state(name, by, value) {
-    const {par} = await layer(name), ahead = reference(par), scale = 1e-12 * ahead.density * Math.abs(squared(par, ahead));
+    const one = await layer(name), {par} = one, ahead = reference(par), scale = 1e-12 * ahead.density * Math.abs(squared(par, ahead));
     if (Math.abs(ahead.pressure) < scale) ahead.pressure = 0;
-    const found = shock(par, ahead, by, value), table = {};
-    try { release(par, found, Math.max(reference(par).pressure, 0), 25, -1).map(s => ({...columns(s), entropy: more(s).entropy, specific_volume: 1 / s.density})).forEach(s => Object.entries(s).forEach(([key, v]) => (table[key] ||= []).push(v))); } catch (error) { if (!(error instanceof H.Refused)) throw error; }
+    const found = shock(par, ahead, by, value), table = {}, told = [...about(one, found.particle_velocity), ...one.of_law];
+    if (!one.of_law.length) try { release(par, found, Math.max(reference(par).pressure, 0), 25, -1).map(s => ({...columns(s), entropy: more(s).entropy, specific_volume: 1 / s.density})).forEach(s => Object.entries(s).forEach(([key, v]) => (table[key] ||= []).push(v))); } catch (error) { if (!(error instanceof H.Refused)) throw error; }
     for (const key of Object.keys(table)) if (table[key].every(v => v === null)) delete table[key];
-    return {state: {...columns(found), ...more(found)}, ahead: {density: ahead.density, pressure: ahead.pressure}, release: table.pressure ? table : null};
+    const {entropy, ...rest} = more(found);
+    return {state: {...columns(found), entropy, ...(one.of_law.length ? {} : rest)}, ahead: {density: ahead.density, pressure: ahead.pressure}, release: table.pressure ? table : null, warnings: told};
   }
 
   // the deck of an impact: a flyer of 2 mm on layers of 4 mm, with gauges at the interfaces and on the free surface

@@ -97,7 +97,7 @@
     H.clear(chips).append(...names.map((name, k) => H.h("span", {class: "chip"}, H.h("i", {style: {background: H.palette().lines[k % 8]}}), known[k]?.title || name,
       H.h("button", {type: "button", "aria-label": `Remove ${name}`, onclick: () => H.set({sel: names.filter(n => n !== name).join(",")})}, "×"))),
       names.length ? "" : H.h("span", {class: "quiet"}, "Select materials in the list."));
-    const notes = known.flatMap(c => c ? [...c.notes, ...(c.refused ? [c.refused] : [])] : []);
+    const notes = known.flatMap(c => c ? [...c.notes, ...(c.refused ? [c.refused] : []), ...(H.get("at") && c.pinned?.warnings || [])] : []);
     if (silent.length) notes.push(`No curve in this plane: ${silent.join(", ")}.`);
     if (series.some(s => s.id === "beyond")) notes.push("Dashed curve: beyond the range of the data.");
     if (series.some(s => s.id === "release") && plane() !== "expansion") notes.push("Thin lines: release isentropes from states on the Hugoniot.");
