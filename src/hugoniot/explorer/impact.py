@@ -6,7 +6,7 @@ from typing import Any
 from hugoniot.dossier import fits
 from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.explorer.splits import about_split, split_of
-from hugoniot.explorer.subjects import entry_of, inert
+from hugoniot.explorer.subjects import entry_of, inert, reacted
 from hugoniot.explorer.transcribed import parameters
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.validity import about_law, about_shock, beyond_data
@@ -30,7 +30,8 @@ def impact(names: Sequence[str], velocity: float, sigma: float = 0.0, bands: boo
     layers = [inert(entry) for entry in entries]
     met = match(layers, velocity)
     spreads, used = _spreads(entries, layers, velocity, sigma, bands)
-    rows = [_row(m, names, [s for s in spreads if s[0] == i]) for i, m in enumerate(met)]
+    shown = [layer.name if reacted(entry) else name for name, entry, layer in zip(names, entries, layers)]
+    rows = [_row(m, shown, [s for s in spreads if s[0] == i]) for i, m in enumerate(met)]
     return {"layers": list(names), "velocity": velocity, "states": rows, "uncertain": used, "warnings": _warnings(entries, velocity, met)}
 
 
@@ -67,8 +68,9 @@ def layer(entry: Entry) -> dict[str, Any]:
     except DeckError as error:
         return {"none": error.problems[0].message}
     limit, words = beyond_data(material)
-    found = {"title": entry.title, "law": parameters(material.eos), "beyond": {"limit": limit, "words": words} if words else None,
-             "split": split_of(entry), "of_law": about_law(material), "warnings": about_shock(material),
+    found = {"title": entry.title, "unreacted": reacted(entry), "law": parameters(material.eos),
+             "beyond": {"limit": limit, "words": words} if words else None, "split": split_of(entry),
+             "of_law": about_law(material), "warnings": about_shock(material),
              "burns": entry.category.startswith("explosive") and entry.unreacted is not None}
     known = fits.of_law(entry.rows, material.eos)
     return found if known is None else found | {"bands": {"names": known[0], "covariance": known[1]}}

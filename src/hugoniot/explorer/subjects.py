@@ -52,7 +52,7 @@ def inert(entry: Entry) -> Material:
     if entry.unreacted is None:
         raise DeckError.single("explorer", None, entry.name, "the library has only the detonation products, not the unreacted explosive",
                                "choose a material with an inert equation of state")
-    return replace(entry.material, eos=entry.unreacted)
+    return replace(entry.material, eos=entry.unreacted, name=f"{entry.material.name} (unreacted)")
 
 
 def inert_or_none(entry: Entry) -> Material | None:

@@ -16,6 +16,7 @@ from hugoniot.output.run import Run
 from hugoniot.output.run_numbers import results
 from hugoniot.page import live
 
+MOST_EVENTS = 500
 MOST_BYTES = 64_000_000     # of one column of all records; of a longer one every second, third, ... record is sent
 
 
@@ -60,6 +61,7 @@ def description(path: Path) -> dict[str, Any]:
         "title": run.summary["title"], "status": run.summary["status"], "live": False, "plane": plane, "summary": run.summary,
         "geometry": run.setup["geometry"], "zones": zones, "every": every, "times": rows["time"][::every], "regions": _regions(run),
         "fields": live.fields(names), "gauges": run.gauge_names(), "events": _events(run),
+        "event_count": len(run.arrays("events").get("time", ())),
         "gauge_fields": live.fields([n for n in gauges if len(gauges.shapes[n]) == 2 and n != "position"]) if len(gauges) else [],
         "gauge_times": len(gauges["time"]) if "time" in gauges else 0, "numbers": _numbers(run),
     }
@@ -89,7 +91,7 @@ def _regions(run: Run) -> list[dict]:
 def _events(run: Run) -> list[dict]:
     events = run.arrays("events")
     keys = ("time", "kind", "text")
-    return [dict(zip(keys, (float(t), str(k), str(w)))) for t, k, w in zip(*(events.get(key, ()) for key in keys))][:500]
+    return [dict(zip(keys, (float(t), str(k), str(w)))) for t, k, w in zip(*(events.get(key, ()) for key in keys))][:MOST_EVENTS]
 
 
 def _numbers(run: Run) -> dict:

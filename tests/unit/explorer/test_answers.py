@@ -106,6 +106,8 @@ def test_a_match_is_that_of_the_command():
         assert own["interface"] == other["interface"]
         for key in ("pressure", "particle_velocity", "shock_velocity", "density"):
             assert own[key] == other[key] and own["uncertainty"][key] == other["uncertainty"][key]["sigma"]
+    explosive, theirs = (answer["states"][0]["interface"] for answer in (impact.impact(["tnt", "copper"], 900.0), printed("match", "tnt", "copper", "--velocity", "900 m/s")))
+    assert explosive == theirs == "tnt (unreacted)/copper"
     mine = impact.impact(["iron", "water"], 1500.0, 0.0, True)["states"][0]["uncertainty"]
     theirs = printed("match", "iron", "water", "--velocity", "1500 m/s", "--error", "library")["states"][0]["uncertainty"]
     assert all(mine[key] == theirs[key]["sigma"] for key in mine)
@@ -113,7 +115,7 @@ def test_a_match_is_that_of_the_command():
         impact.impact(["copper"], 800.0)
 
 
-@pytest.mark.parametrize("layers, beyond", [(("U012", "M010"), ("U012", "M010")), (("copper", "lif"), ("lif",)), (("copper", "air"), ())])
+@pytest.mark.parametrize("layers, beyond", [(("U012", "M010"), ("U012", "M010")), (("copper", "lif"), ("lif",)), (("copper", "air"), ()), (("tnt", "copper"), ("tnt",))])
 def test_a_match_is_warned_of_as_by_the_command(layers, beyond):
     """Data that end, data whose range is unknown, and a gas, of which nothing is said; the page gets the same words."""
     mine, theirs = impact.impact(layers, 9000.0)["warnings"], printed("match", *layers, "--velocity", "9 km/s")["warnings"]

@@ -41,6 +41,28 @@ def test_the_pointer_on_a_run_reads_its_file(visit, tube):
     assert np.array_equal(drawn, rows["pressure"][:, zone])
 
 
+def test_a_run_is_shown_with_its_warnings_and_what_its_spall_is_of(visit):
+    """As the terminal and the report give them, and of many events how many there are."""
+    def more(route):
+        answer = route.fetch()
+        found = answer.json() | {"event_count": 812, "events": [{"time": 1e-6, "kind": "void", "text": "a void opened"}] * 500}
+        found["numbers"] |= {"warnings": ["the mesh is coarse"], "spall": {"region": "target", "gauge": "free surface", "window": None, "pull_back": 84.0}}
+        route.fulfill(response=answer, json=found)
+
+    here = visit()
+    here.context.route(re.compile(r"/api/run\?"), more)
+    said = here.go("#/runs?run=0", ".chart canvas").text_content("#main")
+    assert "warning: the mesh is coarse" in said and "spall of target (gauge free surface)" in said and "the first 500 of 812 events" in said
+
+
+def test_a_match_that_fails_leaves_no_picture_of_the_one_before(visit):
+    here = visit()
+    page = here.go("#/match?layers=copper,tnt&v=1500", "[data-table=match]")
+    assert "copper/tnt (unreacted)" in page.text_content("[data-table=match]")
+    page = here.go("#/match?layers=copper,nonesuch&v=1500", ".bad")
+    assert page.evaluate(f"{SERIES}.length") == 0 and page.query_selector("[data-table=match]") is None
+
+
 def test_the_pointer_on_a_plane_reads_its_file_and_a_picked_zone_has_a_history(visit, plane):
     here, run = visit(), hugoniot.load(plane)
     page, rows = here.go("#/runs?run=1&f=pressure&k=3&mesh=1", ".chart canvas"), run.arrays("snapshots")

@@ -155,8 +155,9 @@ H.impact = (() => {
   // the states at every interface, flyer first, SI, with the curves that meet there
   async function impact(names, velocity, {sigma = 0, bands = false} = {}) {
     const layers = await Promise.all(names.map(layer)), met = match(layers.map(l => l.par), velocity), top = 1.3 * Math.max(...met.map(m => m.ahead.pressure)), {rows, used} = spreads(layers, velocity, sigma, bands);
-    return {layers: names, titles: layers.map(l => l.title), velocity, uncertain: used, warnings: warnings(layers, velocity, met),
-      states: met.map((m, i) => ({interface: `${names[i]}/${names[i + 1]}`, ...columns(m.ahead), reflected: m.reflected, transmitted: m.transmitted, ...(rows ? {uncertainty: rows[i]} : {})})),
+    const shown = names.map((name, k) => layers[k].unreacted ? `${name} (unreacted)` : name);
+    return {layers: names, shown, titles: layers.map(l => l.title), velocity, uncertain: used, warnings: warnings(layers, velocity, met),
+      states: met.map((m, i) => ({interface: `${shown[i]}/${shown[i + 1]}`, ...columns(m.ahead), reflected: m.reflected, transmitted: m.transmitted, ...(rows ? {uncertainty: rows[i]} : {})})),
       curves: met.map(m => ({behind: m.left.curve(m.behind.pressure, top), ahead: m.right.curve(m.ahead.pressure, top)}))};
   }
 
@@ -176,7 +177,7 @@ H.impact = (() => {
     const layers = await Promise.all(names.map(layer)), burning = layers.find(l => l.burns);
     if (burning) throw new H.Refused(`${burning.name}: an explosive, which burns in a run; the match treats it as inert, so no deck is offered`);
     const met = match(layers.map(l => l.par), velocity), print = (value, digits) => String(Number(value.toPrecision(digits)));
-    const called = ["flyer", ...(names.length === 2 ? ["target"] : names.length === 3 ? ["target", "window"] : names.slice(1).map((_, k) => `layer ${k + 1}`))];
+    const called = ["flyer", ...(names.length === 2 ? ["target"] : names.length === 3 ? ["target", "backing"] : names.slice(1).map((_, k) => `layer ${k + 1}`))];
     const stop = 1.6 * met.reduce((sum, m) => sum + 4e-3 / (m.ahead.shock_velocity || Math.sqrt(squared(m.ahead.par, m.ahead))), 0) * 1e6, words = layers.map(l => l.title).join(" on ").replace(/"/g, "'").replace(/\\/g, "/");
     const head = [...layers.filter((l, k) => H.files[l.name] && layers.findIndex(o => o.name === l.name) === k).map(l => `# The tables of ${l.name} in ${H.files[l.name]} belong in this deck, under [material.${l.name}]`), "# Expected from impedance matching, without strength:", ...met.map((m, i) => `#   ${layers[i].name}/${layers[i + 1].name}: ${print(m.ahead.pressure * 1e-9, 5)} GPa, ${print(m.ahead.particle_velocity, 5)} m/s`),
       `title = "${words}, ${print(velocity, 6)} m/s"`, 'geometry = "planar"', `stop_time = "${print(stop, 3)} us"`];

@@ -60,7 +60,7 @@
     if (rows.dataset.names === names.join()) return;
     rows.dataset.names = names.join();
     H.clear(rows).append(...names.map((name, k) => {
-      const word = k === 0 ? "flyer" : k === 1 ? "target" : k === names.length - 1 ? "window" : `layer ${k}`;
+      const word = k === 0 ? "flyer" : k === 1 ? "target" : k === names.length - 1 ? "backing" : `layer ${k}`;
       return H.h("div", {class: "bar"}, H.h("i", {style: {width: "12px", height: "12px", borderRadius: "3px", background: H.palette().lines[k % 8]}}), H.h("label", {style: {flex: 1}}, H.h("span", {style: {width: "4em"}}, word),
         H.h("input", {list: "match-materials", value: name, "aria-label": `Material of the ${word}`, style: {flex: 1, minWidth: 0}, onchange: event => { const next = [...names]; next[k] = event.target.value.trim().replace(/,/g, " "); if (next[k]) setLayers(next); }})),
         names.length > 2 && k > 0 ? H.h("button", {type: "button", "aria-label": `Remove ${word}`, onclick: () => setLayers(names.filter((_, i) => i !== k))}, "×") : "");
@@ -77,12 +77,12 @@
       shown = found;
       draw(found);
       if (!dragging) H.say("");
-    } catch (error) { if (mine !== order) return; H.clear(warnings).append(H.h("div", {class: "bad"}, error.message)); H.clear(table); shown = null; H.failed(error); }
+    } catch (error) { if (mine !== order) return; H.clear(warnings).append(H.h("div", {class: "bad"}, error.message)); H.clear(table); shown = null; chart.show({series: [], marks: [], x: {label: "particle velocity (km/s)", min: 0, max: v * 1e-3}, y: {label: "pressure (GPa)", min: 0, max: 1}, handles: [{id: "velocity", x: v * 1e-3, y: 0, colour: 0}]}); H.failed(error); }
     if (deckBox.open && !dragging) loadDeck();
   }
   function draw(found) {
     if (!found) return;
-    const crowded = found.states.length > 3 && chart.box.clientWidth < 560, names = found.layers, series = [], marks = [], times = (values, factor) => values.map(v => v * factor);
+    const crowded = found.states.length > 3 && chart.box.clientWidth < 560, names = found.shown, series = [], marks = [], times = (values, factor) => values.map(v => v * factor);
     found.curves.forEach((c, k) => {
       series.push({kind: "line", colour: k, dash: "6 3", width: 1.4, x: times(c.behind.particle_velocity, 1e-3), y: times(c.behind.pressure, 1e-9), label: k === 0 ? `${names[0]}, ${H.digits(found.velocity, 5)} m/s` : "", named: "start"});
       series.push({kind: "line", colour: k + 1, x: times(c.ahead.particle_velocity, 1e-3), y: times(c.ahead.pressure, 1e-9), label: names[k + 1]});

@@ -46,7 +46,7 @@ H.MaterialList = class {
     const found = this._shown(), key = H.get("sort") || "name", [, unit, factor] = this.keys[key] || this.keys.name, shown = key === "name" ? "density" : key;
     H.clear(this.list).append(...found.map(m => H.h("li", {role: "option", "data-name": m.name, "aria-selected": "false", title: [m.source, m.mark].filter(Boolean).join("\n")},
       H.h("span", {class: "what"}, m.title, m.mark ? H.h("span", {class: "bad", title: m.mark, "aria-label": "with a caveat"}, " ⚑") : null,
-        H.h("small", {}, `${m.name} · ${m.category}${m.curated ? "" : m.alone ? " · a single table row" : " · data only, no complete material"}`)),
+        H.h("small", {}, `${m.name} · ${m.category}${m.curated || H.files[m.name] ? "" : m.alone ? " · a single table row" : " · data only, no complete material"}`)),
       H.h("span", {class: "number"}, m[shown] ? `${H.digits(m[shown] * (key === "name" ? 1 : factor), 4)} ${key === "name" ? "kg/m³" : unit}` : ""))));
     this.count.textContent = `${found.length} of ${this.all.materials.length} materials, ${this.all.rows.length} further rows, ${this.all.points} measured states`;
     this.at = -1;

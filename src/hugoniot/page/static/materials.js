@@ -78,7 +78,7 @@
   const stateAt = (c, by, value) => H.exported() ? H.impact.state(c.name, by, value) : H.askOnce("state", {name: c.name, by, value});
   function draw(names, known) {
     const [, definition] = H.planes[plane()], shown = {measured: H.get("measured") !== "0", sources: H.get("sources") === "1", releases: H.get("releases") === "1"};
-    const series = [], marks = [], silent = [], brief = known.map(c => c?.title.split(/[,(]/)[0].trim());
+    const series = [], marks = [], silent = [], brief = known.map(c => c && (/\b(porous|liquid|gas|vapour|pressure|phase|transition|rho|row)\b/.test(c.title) ? c.title : c.title.split(/[,(]/)[0].trim()));
     known.forEach((c, k) => { if (c) c.short = brief.filter(b => b === brief[k]).length > 1 ? c.title : brief[k]; });
     known.forEach((c, k) => {
       if (!c) return;
@@ -97,7 +97,7 @@
     H.clear(chips).append(...names.map((name, k) => H.h("span", {class: "chip"}, H.h("i", {style: {background: H.palette().lines[k % 8]}}), known[k]?.title || name,
       H.h("button", {type: "button", "aria-label": `Remove ${name}`, onclick: () => H.set({sel: names.filter(n => n !== name).join(",")})}, "×"))),
       names.length ? "" : H.h("span", {class: "quiet"}, "Select materials in the list."));
-    const notes = known.flatMap(c => c ? [...c.notes, ...(c.refused ? [c.refused] : []), ...(H.get("at") && c.pinned?.warnings || [])] : []);
+    const notes = known.flatMap(c => c ? [...c.notes, ...(c.refused ? [c.refused] : [])] : []);
     if (silent.length) notes.push(`No curve in this plane: ${silent.join(", ")}.`);
     if (series.some(s => s.id === "beyond")) notes.push("Dashed curve: beyond the range of the data.");
     if (series.some(s => s.id === "release") && plane() !== "expansion") notes.push("Thin lines: release isentropes from states on the Hugoniot.");
@@ -107,7 +107,7 @@
     if (surface) notes.push(`${surface.title}: computed at ${surface.surface.density.length} densities and as many temperatures; colours in between are interpolated, the pointer reads computed states only.${names.length > 1 ? " Only the first selected material is shown." : ""}`);
     if (plane() === "isentropes") notes.push("Dashed: isentrope through the state at rest.");
     if (plane() === "detonation") notes.push("Dashed straight line: Rayleigh line to the CJ state; dashed curve: isentrope of the products through it.");
-    hint.textContent = notes.join(" ");
+    H.clear(hint).append(notes.map(n => /[.!?]$/.test(n) ? n : `${n}.`).join(" "), ...(H.get("at") ? known.flatMap(c => c?.pinned?.warnings || []) : []).map(w => H.h("span", {class: "bad", style: {display: "block"}}, w)));
     if (!readout.childNodes.length || !names.length) H.clear(readout).append(H.h("span", {class: "quiet"}, names.length ? "Point at a curve, or focus the plot and use the arrow keys. Enter pins a state; + and − zoom, 0 shows everything, dragging pans." : ""));
     const asked = plane() === "surface" ? known.find(c => c?.surface)?.surface : plane() === "isotherms" ? known.find(c => c?.isotherms)?.isotherms : null;
     H.command(H.materialCommands(names, plane(), asked));
@@ -142,7 +142,7 @@
         })))));
     };
     if (products.length) grid(products.map(c => c.title), products.map(c => ({...c.products.cj})), "CJ state");
-    else if (pinned.length) grid(pinned.map(c => c.title), pinned.map(c => c.pinned.state), "state on the Hugoniot");
+    else if (pinned.length) grid(pinned.map(c => c.products ? `${c.title}, unreacted` : c.title), pinned.map(c => c.pinned.state), "state on the Hugoniot");
   }
   async function drawAbout(names) {
     const name = names[names.length - 1];
