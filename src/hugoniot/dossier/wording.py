@@ -3,6 +3,7 @@
 import math
 import re
 
+from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials.material import Material
 from hugoniot.materials.reach import FAR_BRANCH
 from hugoniot.materials.record import law_inside
@@ -107,7 +108,8 @@ def _meanings(registry, par) -> dict[str, str]:
 
 def reference_name(about: dict) -> str:
     """What to call the state that derived quantities refer to: a porous material does not start at the reference density of its solid."""
-    return "initial state of the porous material" if "eos.base.rho0" in about["meanings"] else "reference state"
+    porous = "remembers" in EOS.get(about["laws"]["eos"]).flags
+    return "initial state of the porous material" if porous else "reference state"
 
 
 def differences(about: dict) -> str:

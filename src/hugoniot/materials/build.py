@@ -31,6 +31,7 @@ from hugoniot.materials.tables import families
 _FACTS = ("base", "library", "sources", "valid_up_to", "warnings")
 _EXPLOSIVE = ("unreacted", "mixture", "detonation_energy", "reference_state")
 _TOLD = ("sources", "warnings")                # texts that results and reports repeat
+THERMAL = {"specific_heat", "reference_temperature"}     # constants that move no Hugoniot and no CJ state
 AT_REST = 1e-4                                 # of its bulk modulus, up to which an unreacted explosive counts as at rest
 
 
@@ -129,17 +130,26 @@ def _without_replaced(base: Material | None, tables: dict) -> Material | None:
     """The base without the sources of numbers that the tables replace."""
     if base is None:
         return None
+    given = _given_of_eos(tables)
 
     def stands(source: Source) -> bool:
         family, _, name = source.quantity.partition(".")
+        if family == "valid_up_to" and "law" in given or family == "detonation" and given - THERMAL:
+            return False      # stated of the curve, or with the constants of the products, that are replaced
         table = tables.get(family)
         return not (table == "none" or (isinstance(table, dict) and ("law" in table or name in table)))
 
     return replace(base, sources=tuple(s for s in base.sources if stands(s)))
 
 
+def _given_of_eos(tables: dict) -> set[str]:
+    """What the tables say of the equation of state, by the names of its table."""
+    eos = tables.get("eos")
+    return set(eos) if isinstance(eos, dict) else set()
+
+
 def _facts(tables: dict, collector: Collector, path: tuple, base: Material | None):
-    valid = base.valid_up_to if base else None
+    valid = base.valid_up_to if base and "law" not in _given_of_eos(tables) else None
     if "valid_up_to" in tables:
         valid = collector.quantity((*path, "valid_up_to"), tables["valid_up_to"], "m/s")
     sources = base.sources if base else ()

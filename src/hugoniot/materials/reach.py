@@ -8,7 +8,9 @@ from functools import cache
 
 from hugoniot.laws.eos.contract import flagged
 from hugoniot.materials import schema
+from hugoniot.materials.build import THERMAL
 from hugoniot.materials.material import Material
+from hugoniot.materials.record import material_record
 from hugoniot.materials.schema import Row
 from hugoniot.materials.search import substance
 from hugoniot.materials.validity import range_of as range_of_validity
@@ -33,11 +35,19 @@ def reach(material: Material) -> str:
     if source is None:
         return found
     basis = about(row) if (row := _range_row(source)) else ""
+    if basis and (own := _replaced(material)):
+        basis += f"; this material replaces {', '.join(own)}, so the statement is about another curve"
     if begin := data_begin(material):
         found = f"particle velocity {format_si(begin, 'm/s')} to {format_si(material.valid_up_to, 'm/s')}"
     if not basis and source.status == "derived":
         basis = f"derived, {source.note}" if source.note else "derived"
     return f"{found} ({basis})" if basis else found
+
+
+def _replaced(material: Material) -> list[str]:
+    """Names of the constants of the Hugoniot that are not those of the source of the range."""
+    own = [row["quantity"] for row in material_record(material) if row["status"] == "user"]
+    return [name.removeprefix("eos.") for name in own if name.startswith("eos.") and name.removeprefix("eos.") not in THERMAL]
 
 
 def data_begin(material: Material) -> float:

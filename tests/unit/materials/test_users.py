@@ -3,9 +3,13 @@
 import pytest
 
 from hugoniot.dossier import checks
+from hugoniot.dossier.describe import described
+from hugoniot.dossier.wording import reference_name
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.materials import library, users
+from hugoniot.materials.reach import reach
 from hugoniot.materials.record import material_record
+from hugoniot.materials.users import read_materials
 
 ALLOY = """
 title = "My alloy"
@@ -161,3 +165,36 @@ def test_a_users_material_is_of_the_substance_it_is_based_on(tmp_path):
     path.write_text('[material.own]\nlibrary = "nosuch"\n[material.own.eos]\nlaw = "ideal_gas"\ngamma = 1.3\n')
     with pytest.raises(DeckError, match="unknown material 'nosuch'"):
         users.user_materials([path])
+
+
+def test_statements_of_the_library_do_not_pass_to_another_curve(tmp_path):
+    """The range of copper's data belongs to its own Hugoniot, and what was stated with the constants of products to those constants."""
+    (tmp_path / "mine.toml").write_text("""
+[material.other]
+base = "copper"
+eos = {law = "mie_gruneisen", rho0 = 8930.0, c0 = 3000.0, s = 1.2, gamma0 = 2.0, specific_heat = 380.0}
+[material.slow]
+base = "copper"
+eos = {c0 = 3700.0}
+[material.warm]
+base = "copper"
+eos = {specific_heat = 400.0}
+[material.weak]
+base = "tnt"
+eos = {e0 = "5 GPa"}
+""")
+    found = {name: entry.material for name, entry in read_materials(tmp_path / "mine.toml").items()}
+    copper = library.find("copper")
+    assert found["other"].valid_up_to is None and not any(s.quantity == "valid_up_to" for s in found["other"].sources)
+    assert found["slow"].valid_up_to == found["warm"].valid_up_to == copper.valid_up_to
+    assert reach(found["warm"]) == reach(copper) and "replaces c0, so the statement is about another curve" in reach(found["slow"])
+    assert any(s.quantity == "detonation.velocity" for s in library.find("tnt").sources)
+    assert not any(s.quantity.startswith("detonation.") for s in found["weak"].sources)
+
+
+@pytest.mark.parametrize("law, name", [("law = 'tension_cutoff'\ntension = 1e9", "reference state"),
+                                       ("law = 'p_alpha'\nalpha0 = 1.5\nelastic_pressure = 1e7\ncompaction_pressure = 1e8",
+                                        "initial state of the porous material")])
+def test_only_porous_materials_start_from_a_porous_state(tmp_path, law, name):
+    (tmp_path / "one.toml").write_text(f"[eos]\n{law}\nbase = {{law = 'mie_gruneisen', rho0 = 2700.0, c0 = 5350.0, s = 1.34, gamma0 = 2.0}}\n")
+    assert reference_name(described(read_materials(tmp_path / "one.toml")["one"])) == name
