@@ -14,6 +14,7 @@ from hugoniot.plotting.style import RC, length_scale
 from hugoniot.plotting.xt import colours_of
 
 WRITERS = {".gif": "pillow", ".mp4": "ffmpeg"}
+COLOURS, GREYS = 216, 40      # of a .gif, which has 256 colours: the scale of the field, and text and lines
 MOST_FRAMES = 300
 
 
@@ -33,7 +34,7 @@ def animate(run, field: str, path, frames_per_second: float = 12.0, every: int =
         hint = f"use --every {-(-len(rows['time']) // MOST_FRAMES)} or more"
         raise DeckError.single("animate", None, "--every", f"{len(taken)} frames are too many", hint)
     values = np.concatenate([plane_field(run, field, k) for k in taken])
-    _, limits = colours_of(field, values, None)
+    colours, limits = colours_of(field, values, None)
     options = {"limits": limits, "mesh": False, **options}
     box = _window(run, taken, options.get("mirror", True))
     with matplotlib.rc_context({**RC, "savefig.dpi": 110}):
@@ -47,7 +48,22 @@ def animate(run, field: str, path, frames_per_second: float = 12.0, every: int =
                 ax.set_xlim(box[0])
                 ax.set_ylim(box[1])
                 writer.grab_frame()
+                if isinstance(writer, Gif):
+                    writer.keep_colours(colours)
     return len(taken)
+
+
+class Gif(animation.PillowWriter):
+    """A .gif whose frames share one palette made of the colours of the field, so that equal values look equal in every frame."""
+
+    def keep_colours(self, colours) -> None:
+        """Replace the colours of the last frame by the nearest of the palette, as a palette of its own would alter those of the scale."""
+        from PIL import Image
+
+        scale = matplotlib.colormaps.get_cmap(colours)(np.linspace(0.0, 1.0, COLOURS))[:, :3]
+        palette = Image.new("P", (1, 1))
+        palette.putpalette(np.rint(255 * np.vstack([scale, np.linspace((0.0,) * 3, (1.0,) * 3, GREYS)])).astype(np.uint8).tobytes())
+        self._frames[-1] = self._frames[-1].convert("RGB").quantize(palette=palette, dither=Image.Dither.NONE)
 
 
 def _writer(path: pathlib.Path, frames_per_second: float):
@@ -57,7 +73,7 @@ def _writer(path: pathlib.Path, frames_per_second: float):
     if not animation.writers.is_available(kind):
         raise DeckError.single("animate", None, "--out", f"{path.suffix} needs the program ffmpeg, which is not installed",
                                "install ffmpeg, or write a .gif")
-    return animation.writers[kind](fps=frames_per_second)
+    return (Gif if kind == "pillow" else animation.writers[kind])(fps=frames_per_second)
 
 
 def _window(run, taken, mirror: bool):

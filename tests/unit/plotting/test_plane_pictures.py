@@ -7,6 +7,7 @@ import matplotlib
 import numpy as np
 import pytest
 from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
 from PIL import Image
 from plane_builders import aluminium, box, problem
 from plane_runs import GROWTH, STRETCH, record
@@ -15,7 +16,7 @@ import hugoniot
 from hugoniot.cli.main import main
 from hugoniot.diagnostics.stress2d import lode_angle, principal_angle, principal_deviators, von_mises
 from hugoniot.errors import DeckError
-from hugoniot.plotting.animate import animate
+from hugoniot.plotting.animate import Gif, animate
 from hugoniot.plotting.plane import borders, plane_setup
 from hugoniot.plotting.records import gauge
 from hugoniot.problem.model import Pulse
@@ -82,6 +83,23 @@ def test_a_derived_field_and_an_unknown_one(run):
     assert max(ax.collections[0].get_array()) == pytest.approx(np.hypot(GROWTH * 4.75e-3, STRETCH * 9.5e-3), rel=0.05)
     with pytest.raises(DeckError, match="did you mean 'pressure'"):
         run.plot.map("presure")
+
+
+def test_the_colours_of_a_film_are_those_of_its_scale(tmp_path):
+    """Beside a map of many reds, to which a palette of the frame's own would be fitted: twice half a step of the palette, 6 of 255."""
+    figure = Figure(figsize=(3.0, 2.0))
+    colours, writer = matplotlib.colormaps["viridis"], Gif(fps=1)
+    with writer.saving(figure, str(tmp_path / "film.gif"), 100):
+        reds = np.random.default_rng(1).random((200, 200, 3)) * [1.0, 0.3, 0.3]
+        figure.add_axes((0.0, 0.0, 0.8, 1.0)).imshow(reds, aspect="auto")
+        figure.add_axes((0.8, 0.0, 0.2, 1.0)).imshow(np.linspace(1.0, 0.0, 200)[:, None], cmap=colours, aspect="auto")
+        for ax in figure.axes:
+            ax.set_axis_off()
+        writer.grab_frame()
+        writer.keep_colours(colours)
+    with Image.open(tmp_path / "film.gif") as film:
+        seen = np.asarray(film.convert("RGB"), dtype=float)[:, 270]
+    assert np.abs(seen - 255.0 * colours(np.linspace(1.0, 0.0, 200))[:, :3]).max() < 6.0
 
 
 def test_a_film_has_a_frame_per_snapshot_and_an_mp4_asks_for_ffmpeg(run, tmp_path, monkeypatch):
