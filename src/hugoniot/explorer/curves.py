@@ -7,7 +7,7 @@ import numpy as np
 
 from hugoniot.dossier import curves as house
 from hugoniot.errors import HugoniotError, NoSolution, OutOfRange
-from hugoniot.explorer.splits import about_split, split_of
+from hugoniot.explorer.splits import about_split, farthest, split_of
 from hugoniot.explorer.subjects import entry_of, inert_or_none, reacted
 from hugoniot.explorer.surfaces import range_of
 from hugoniot.laws.eos.contract import EOS
@@ -17,7 +17,7 @@ from hugoniot.materials.validity import about_jump, about_law
 from hugoniot.theory.chapman_jouguet import cj, detonation_hugoniot
 from hugoniot.theory.exact.plate_push import gurney
 from hugoniot.theory.fits import UsUpFit
-from hugoniot.theory.hugoniot import Initial, limit, shock
+from hugoniot.theory.hugoniot import Initial, shock
 from hugoniot.theory.isentrope import expansion_to, isentrope, reference, release
 from hugoniot.theory.states import States
 
@@ -75,8 +75,7 @@ def _top(material, ahead: Initial, measured: list) -> float:
     """The highest particle velocity to draw, m/s: what the data reach, at least some, and no more than the law does."""
     data = max((float(np.quantile(m["up"], 0.95)) for m in measured), default=0.0)
     wanted = BEYOND * material.valid_up_to if material.valid_up_to else max(LEAST_TOP, data)
-    end = limit(material, ahead).particle_velocity
-    return min(wanted, 0.95 * end) if math.isfinite(end) and end > 0.0 else wanted
+    return farthest(material, ahead, wanted)
 
 
 def _reached(material, ahead: Initial, top: float) -> States:

@@ -1,6 +1,5 @@
-"""What the page says where no single shock leads to a state: the wave splits in two."""
+"""How far the Hugoniots of the page go, and what it says where no single shock leads to a state: the wave splits in two."""
 
-import math
 from typing import Any
 
 from hugoniot.errors import HugoniotError
@@ -8,10 +7,20 @@ from hugoniot.explorer.subjects import inert, own
 from hugoniot.laws.eos.contract import flagged
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.validity import rounded
-from hugoniot.theory.hugoniot import Initial, limit
+from hugoniot.theory.hugoniot import Initial, limit, shock
 from hugoniot.theory.split import split_range
 
 REACH = 8000.0      # m/s: as far as splits are looked for
+
+
+def farthest(material, ahead: Initial, wanted: float) -> float:
+    """A particle velocity, m/s, to which a shock leads: the wanted one, or just before the end of the Hugoniot. The state of highest
+    density is no end for strongly porous material, whose density falls again behind stronger shocks."""
+    try:
+        shock(material, ahead, particle_velocity=ahead.velocity + wanted)
+    except HugoniotError:
+        return min(wanted, 0.95 * float(limit(material, ahead).particle_velocity))
+    return wanted
 
 
 def split_of(entry: Entry) -> dict[str, Any] | None:
@@ -22,8 +31,7 @@ def split_of(entry: Entry) -> dict[str, Any] | None:
         return None
     ahead = Initial.at_rest(material)
     try:
-        end = float(limit(material, ahead).particle_velocity)
-        found = split_range(material, ahead, min(REACH, 0.95 * end) if math.isfinite(end) and end > 0.0 else REACH)
+        found = split_range(material, ahead, farthest(material, ahead, REACH))
     except HugoniotError:
         return None
     if found is None:

@@ -4,10 +4,11 @@ import math
 from typing import Any
 
 from hugoniot.errors import HugoniotError
+from hugoniot.explorer.splits import farthest
 from hugoniot.explorer.transcribed import parameters
 from hugoniot.laws.eos.contract import EOS, reference_state, require_temperature
 from hugoniot.laws.eos.table import Table
-from hugoniot.theory.hugoniot import Initial, limit, shock
+from hugoniot.theory.hugoniot import Initial, shock
 from hugoniot.theory.isentrope import AMBIENT, reference
 from hugoniot.theory.states import density_range
 
@@ -37,10 +38,10 @@ def _ranges(material) -> tuple[float, float, float]:
     thin = "gas" in EOS.of(par).flags or "reacted" in EOS.of(par).flags or reference(par).pressure > AMBIENT
     top = None
     if "reacted" not in EOS.of(par).flags:
-        end = limit(par, Initial.at_rest(par)).particle_velocity
+        ahead = Initial.at_rest(par)
         for up in (material.valid_up_to or REACH, 1000.0, 300.0):
             try:
-                top = shock(par, particle_velocity=min(up, 0.9 * end))
+                top = shock(par, ahead, particle_velocity=farthest(par, ahead, up))
                 break
             except HugoniotError:
                 continue

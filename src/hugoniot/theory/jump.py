@@ -74,8 +74,10 @@ def bracket(mode, target, guess, least, most, v0, p0, e0, par):
             if most - x <= 1e-13 * most:
                 return BEYOND_LIMIT, low, high
             x = min(1.5 * x - 0.5 * least, 0.5 * (x + most))
-            g, _ = misfit(mode, target, x, v0, p0, e0, par)
-            if g < 0.0 and beyond_stability(mode, target, x, v0, p0, e0, par) and not beyond_stability(mode, target, low, v0, p0, e0, par):
+            g, slope = misfit(mode, target, x, v0, p0, e0, par)
+            # the roots of porous materials lie beyond that limit too: only where the misfit falls was a root leapt over
+            if (g < 0.0 and slope < 0.0 and beyond_stability(mode, target, x, v0, p0, e0, par)
+                    and not beyond_stability(mode, target, low, v0, p0, e0, par)):
                 most, x, g = x, low, -1.0  # the root was leapt over: nearer
                 continue
             if not g < 0.0:

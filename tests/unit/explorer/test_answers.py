@@ -16,6 +16,7 @@ from hugoniot.dossier import fits
 from hugoniot.explorer import catalogue, curves, impact, subjects
 from hugoniot.materials import library, schema
 from hugoniot.page import run_data
+from hugoniot.theory.hugoniot import shock
 from hugoniot.theory.impedance import match
 
 
@@ -139,6 +140,17 @@ def test_a_wave_that_splits_is_said_to_in_matches_curves_and_states(client):
         found = ask(client, "state", name="aluminum_porous", by="particle_velocity", value=value)["warnings"]
         assert any("no single shock" in text for text in found) == splits and any("is not known" in text for text in found)
     assert not any("no single shock" in text for text in curves.curves_of("copper")["notes"])
+
+
+def test_the_curve_of_strongly_porous_material_goes_on_beyond_its_highest_density(tmp_path):
+    """Of distension 2.5, whose density falls again from 400 m/s on; up to which the elastic wave outruns it, from the law itself."""
+    solid = "base = {law = 'mie_gruneisen', rho0 = 2700.0, c0 = 5350.0, s = 1.34, gamma0 = 2.0}"
+    (tmp_path / "crumbs.toml").write_text(f"[eos]\nlaw = 'p_alpha'\nalpha0 = 2.5\nelastic_pressure = 1e7\ncompaction_pressure = 3e8\n{solid}\n")
+    subjects.admit(tmp_path / "crumbs.toml")
+    drawn = curves.curves_of("crumbs")["hugoniot"]
+    assert drawn["particle_velocity"][-1] == pytest.approx(2000.0) and max(drawn["density"]) > drawn["density"][-1] * 1.02
+    split = impact.layer(subjects.entry_of("crumbs"))["split"]
+    assert float(shock(subjects.own["crumbs"].material, particle_velocity=split["high"]).shock_velocity) == pytest.approx(5350.0, rel=0.02)
 
 
 def test_a_law_of_shocks_alone_has_no_releases(tmp_path, client):

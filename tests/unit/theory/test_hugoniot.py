@@ -4,9 +4,11 @@ import math
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from hugoniot.errors import NoSolution, OutOfRange
-from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos import p_alpha
+from hugoniot.laws.eos.contract import EOS, pressure
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.eos.mie_gruneisen_cold import MieGruneisenCold
@@ -247,3 +249,16 @@ def test_shapes_and_ends_of_a_curve():
     assert isinstance(shock(COPPER, pressure=1e9).density, float)
     assert shock(COPPER, pressure=np.full((2, 3), 1e9)).density.shape == (2, 3)
     assert states[2].particle_velocity == pytest.approx(700.0 / 3)
+
+
+@pytest.mark.parametrize("distension", [1.9, 2.2, 2.5, 2.7, 3.5, 6.0])
+def test_strongly_porous_material_has_a_shock_of_every_strength(distension):
+    """Beyond the pores the state is the solid's own at e = u^2/2, lighter than the solid: by the jump conditions on its law alone."""
+    solid = MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0)
+    porous, rest = p_alpha.build(solid, distension, 1e7, 3e8), 2700.0 / distension
+    for up in (800.0, 2000.0, 3000.0, 5000.0):
+        def misses(rho, up=up):
+            return pressure(rho, 0.5 * up * up, solid) - rest * up * up / (1.0 - rest / rho)
+        found = shock(porous, particle_velocity=up)
+        if found.pressure > 3e8:
+            assert float(found.density) == pytest.approx(brentq(misses, 1.05 * rest, 4000.0), rel=1e-9)
