@@ -19,7 +19,7 @@ def start(places: Places, query: Query) -> Any:
     named = {key: [{"name": p.name, "typed": p.typed} for p in getattr(places, key)] for key in ("runs", "sweeps", "fits", "decks")}
     runs = [entry | run_data.line(place.path) for entry, place in zip(named["runs"], places.runs)]
     return {"version": __version__, **named, "runs": runs,
-            "materials": places.materials, "files": {name: Path(entry.file).name for name, entry in subjects.own.items()},
+            "materials": places.materials, "files": {name: Path(entry.file).as_posix() for name, entry in subjects.own.items()},
             "may_run": places.work is not None}
 
 

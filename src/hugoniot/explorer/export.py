@@ -44,6 +44,8 @@ def export(places: Places, folder: Path, *, progress: Callable[[str], None] = la
             answer = QUESTIONS[question](known_by_name(places), {k: str(v) for k, v in query.items()})
         except HugoniotError as error:
             answer = {"error": str(error)}
+        if question == "start":
+            answer["files"] = {name: Path(file).name for name, file in answer["files"].items()}
         name = f"data/{len(known):04d}.js"
         _put(folder / name, f"hugoniotData({json.dumps(key)},".encode() + _packed(answer) + b");\n")
         known[key] = name

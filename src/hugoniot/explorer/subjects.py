@@ -19,11 +19,15 @@ own: dict[str, Entry] = {}      # materials of files that the command line named
 
 
 def admit(path: Path) -> list[str]:
-    """The names of the materials of a file, which `entry_of` answers for from now on; `DeckError` where one is the library's."""
+    """The names of the materials of a file, which `entry_of` answers for from now on; `DeckError` where one is the library's, or another
+    file's."""
     found = read_materials(path)
     for name, entry in found.items():
         if library.curated_name(name) is not None or schema.is_row(name.strip().upper()):
             raise DeckError.single(path, None, name, "the library has a material of that name", "rename the one in the file")
+        other = own.get(name)
+        if other is not None and Path(other.file).resolve() != path.resolve():
+            raise DeckError.single(path, None, name, f"{other.file} has a material of that name too", "rename one of them")
         own[name] = entry
     return list(found)
 

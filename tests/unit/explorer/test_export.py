@@ -6,9 +6,11 @@ import re
 
 import numpy as np
 import pytest
+from explorer_words import STEEL
 
 import hugoniot
 from hugoniot.errors import FileTrouble
+from hugoniot.explorer import subjects
 from hugoniot.explorer.export import export, key_of
 from hugoniot.page import files
 
@@ -27,9 +29,12 @@ def answers(folder):
 
 def test_an_export_holds_page_materials_and_runs(places, tube, tmp_path):
     folder = tmp_path / "page"
+    (tmp_path / "my_steel.toml").write_text(STEEL)
+    subjects.admit(tmp_path / "my_steel.toml")
     count = export(places, folder)
     assert count == sum(1 for p in folder.rglob("*") if p.is_file())
     found = answers(folder)
+    assert found["start"]["files"] == {"my_steel": "my_steel.toml"} and str(tmp_path) not in (folder / "data" / "0000.js").read_text()
     assert found["start"]["materials"] == ["copper"] and found[key_of("material", {"name": "copper"})]["hugoniot"]["pressure"][1] > 0
     stored = found[key_of("array", {"run": 0, "group": "snapshots", "name": "pressure"})]
     doubles = np.frombuffer(base64.b64decode(stored["doubles"]), "<f8").reshape(stored["shape"])

@@ -52,13 +52,23 @@ def test_a_material_of_a_file_is_a_material_of_the_page(tmp_path, client):
     assert places_of([str(tmp_path / "my_steel.toml")]).materials == ["my_steel"]
     listed = client.get(f"/{TOKEN}/api/materials").json()["materials"]
     assert listed[0]["name"] == "my_steel" and listed[0]["density"] == 7850.0 and listed[0]["category"] == "of my_steel.toml"
-    assert client.get(f"/{TOKEN}/api/start").json()["files"] == {"my_steel": "my_steel.toml"}
+    assert client.get(f"/{TOKEN}/api/start").json()["files"] == {"my_steel": (tmp_path / "my_steel.toml").as_posix()}     # as typed, for the commands
     found = client.get(f"/{TOKEN}/api/state?name=my_steel&by=particle_velocity&value=500").json()["state"]
     assert found["shock_velocity"] == pytest.approx(4600.0 + 1.5 * 500.0) and found["pressure"] == pytest.approx(7850.0 * 5350.0 * 500.0)
     (tmp_path / "copper.toml").write_text(STEEL)
     with pytest.raises(DeckError, match="the library has a material of that name"):
         places_of([str(tmp_path / "copper.toml")])
     assert "copper" not in subjects.own
+
+
+def test_two_files_cannot_have_a_material_of_one_name(tmp_path):
+    """The one named last would have given all numbers under the name."""
+    for folder in ("one", "two"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "my_steel.toml").write_text(STEEL)
+    places_of([str(tmp_path / "one" / "my_steel.toml")] * 2)
+    with pytest.raises(DeckError, match="has a material of that name too"):
+        places_of([str(tmp_path / "two" / "my_steel.toml")])
 
 
 def test_a_tabulated_material_has_the_surface_of_its_table(tmp_path):

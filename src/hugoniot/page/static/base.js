@@ -185,7 +185,7 @@ H.shell = text => /^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replace(/'/g, 
 H.python = text => JSON.stringify(text);
 // materials of the user's own files are called by the file
 H.files = {};
-H.subject = name => H.shell(H.files[name] ? (H.files[name].replace(/\.toml$/, "") === name ? H.files[name] : `${H.files[name]}:${name}`) : name);
+H.subject = name => H.shell(H.files[name] ? (H.files[name].split("/").at(-1).replace(/\.toml$/, "") === name ? H.files[name] : `${H.files[name]}:${name}`) : name);
 H.find = name => H.files[name] ? `read_materials(${H.python(H.files[name])})[${H.python(name)}].material` : `find(${H.python(name)})`;
 H.finder = names => [names.some(n => H.files[n]) ? "from hugoniot.materials.users import read_materials\n" : "", names.some(n => !H.files[n]) ? "from hugoniot.materials.library import find\n" : ""].join("");
 H.numbers = pairs => H.h("dl", {}, pairs.map(([word, value]) => H.h("div", {}, H.h("dt", {}, word), H.h("dd", {}, value))));
