@@ -1,6 +1,6 @@
 """Constants that no solid or liquid has: mostly numbers whose unit was forgotten or mistaken."""
 
-from hugoniot.laws.eos.contract import EOS, density_limits, flagged, reference_state, sound_speed_squared
+from hugoniot.laws.eos.contract import EOS, density_limits, flagged, is_condensed, reference_state, sound_speed_squared
 from hugoniot.materials.material import Material
 
 COMPRESSED = 1.1      # times the density at rest, up to which a solid or liquid has to have a sound speed
@@ -18,7 +18,7 @@ def unlikely(name: str, material: Material) -> list[str]:
         laws.append(material.strength)
     while laws:
         par = laws.pop()
-        if EOS.knows(par) and "gas" in EOS.of(par).flags:
+        if EOS.knows(par) and _is_gas(par):
             continue
         laws += [value for value in par if EOS.knows(value)]
         for key, value in par._asdict().items():
@@ -29,6 +29,12 @@ def unlikely(name: str, material: Material) -> list[str]:
                 f"No known material comes near this: is {'the unit' if unit else 'the value'} right?"
             found.append(f"material '{name}': {key} = {' '.join((f'{value:g}', unit)).strip()} for a solid or liquid? {doubt}")
     return found
+
+
+def _is_gas(par) -> bool:
+    """Whether a law is that of a gas; a table may hold one."""
+    law = EOS.of(par)
+    return "gas" in law.flags or law.name == "table" and not is_condensed(par)
 
 
 def _softening(name: str, par) -> list[str]:

@@ -13,6 +13,8 @@ from hugoniot.laws.eos.contract import pressure, reference_state, temperature
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.eos.table import Table, from_law
 from hugoniot.materials.library import find
+from hugoniot.materials.material import Material
+from hugoniot.materials.plausible import unlikely
 from hugoniot.materials.table_hdf5 import read_table, write_table
 from hugoniot.materials.tables_io import load
 from hugoniot.materials.users import read_materials
@@ -229,3 +231,19 @@ def test_grains_over_a_truncated_cold_curve_are_told_of(base, told):
                           f'grain_modulus_slope = 4.34\n[material.silica.eos.base]\nlaw = "{base}"\nrho0 = 100.0\nc0 = 121.0\ns = 0.9736\ngamma0 = 0.3\n')
     assert [("too soft in the first shock" in w) for w in deck.warnings].count(True) == told
     assert [("too soft in the first shock" in w) for w in read_deck_text(deck.resolved).warnings].count(True) == told
+
+
+def test_a_table_of_a_gas_is_no_solid_with_a_forgotten_unit(tmp_path):
+    """Air in a table has the density of air; of copper in g/cm3 taken for kg/m3 the doubt stays."""
+    assert CliRunner().invoke(build_app("eos"), ["eos", "table", "air", "--densities", "0.5 kg/m^3, 8 kg/m^3", "--temperatures", "200 K, 4000 K",
+                                                 "--points", "15", "--csv", str(tmp_path / "air.csv")]).exit_code == 0
+    gas = load(tmp_path / "air.csv", rho0=1.184)
+    assert unlikely("air", Material("air", gas)) == []
+    light = gas._replace(pressure_table=gas.pressure_table - 101325.0)      # no pressure at rest: condensed
+    assert any("rho0" in text for text in unlikely("light", Material("light", light)))
+
+
+def test_a_table_of_a_porous_law_says_that_it_forgets_the_pores(tmp_path):
+    said = CliRunner().invoke(build_app("eos"), ["eos", "table", "aluminum_porous", "--densities", "2120 kg/m^3, 3700 kg/m^3", "--points", "5", "--json"])
+    assert "does not keep crushed pores closed" in json.loads(said.stdout)["warnings"][0]
+    assert json.loads(CliRunner().invoke(build_app("eos"), ["eos", "table", "copper", "--points", "5", "--json"]).stdout)["warnings"] == []

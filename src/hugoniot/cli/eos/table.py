@@ -6,11 +6,15 @@ import numpy as np
 import typer
 
 from hugoniot.cli.eos.input import Subject
+from hugoniot.cli.eos.output import echo_notes
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, FileTrouble, OutOfRange
-from hugoniot.laws.eos.contract import EOS, reference_state, require_temperature
+from hugoniot.laws.eos.contract import EOS, flagged, reference_state, require_temperature
 from hugoniot.theory.isentrope import grid
 from hugoniot.theory.states import density_range
+
+NO_MEMORY = ("the table holds the states of first loading: it does not keep crushed pores closed, so that releases from it follow the "
+             "loading back; use the law itself for runs")
 
 
 def report(subject: Subject, densities: str, temperatures: str, points: int, as_json: bool, as_csv,
@@ -36,13 +40,16 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
         from hugoniot.plotting.waves import isotherms
 
         save(isotherms(subject.material.name, rho, t, p), plot)
+    told = [NO_MEMORY] if flagged(subject.material.eos, "remembers") else []
     if as_json:
-        echo_json({"material": subject.material.name, "density": rho, "temperature": t, "pressure": p, "specific_internal_energy": e})
+        echo_json({"material": subject.material.name, "density": rho, "temperature": t, "pressure": p, "specific_internal_energy": e,
+                   "warnings": told})
         return
     typer.echo(f"{subject.title or subject.material.name}: pressure in GPa at density (down) and temperature (across)")
     down, across = (np.unique(np.linspace(0, n - 1, min(n, 7)).round().astype(int)) for n in (rho.size, t.size))
     rows = [[f"{rho[i]:.1f}", *[f"{p[i, j] * 1e-9:.4g}" for j in across]] for i in down]
     echo_table(["kg/m3", *[f"{t[j]:.6g} K" for j in across]], rows)
+    echo_notes(told)
     if as_csv is None and as_hdf5 is None:
         typer.echo(f"{rho.size} x {t.size} values; --csv FILE or --hdf5 FILE writes them all, with energies, as the law 'table' reads them")
 
