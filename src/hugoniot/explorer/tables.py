@@ -80,6 +80,9 @@ def _read(path: Path) -> tuple[list[str], list[list[str]]]:
         raise FileTrouble(f"{path.name}: a table needs a header line, at least one line of values, and at most {MOST_COLUMNS} columns")
     if len(lines) > MOST_ROWS + 1:
         raise FileTrouble(f"{path.name}: more than {MOST_ROWS} rows; the explorer shows no larger table")
+    if long := next((k for k, row in enumerate(lines) if len(row) > len(lines[0])), 0):
+        raise FileTrouble(f"{path.name}: row {long} has {len(lines[long])} values for {len(lines[0])} columns; texts with commas need "
+                          "quotes, and numbers a decimal point")
     return [head.strip() for head in lines[0]], lines[1:]
 
 

@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 import hugoniot
 from hugoniot.cli.main import build_app
 from hugoniot.dossier import fits
-from hugoniot.explorer import catalogue, curves, impact, subjects
+from hugoniot.explorer import catalogue, curves, impact, subjects, tables
 from hugoniot.materials import library, schema
 from hugoniot.page import run_data
 from hugoniot.theory.hugoniot import shock
@@ -222,12 +222,18 @@ def test_a_table_of_cases_keeps_numbers_words_and_units(client):
     assert found["columns"][1]["cells"] == [100, 200, 300] and found["rows"] == 3 and found["runs"] == []
 
 
+def test_a_row_of_more_values_than_columns_is_refused(tmp_path):
+    """A decimal comma: 1,5 would be 1 in one column and 5 in the next."""
+    (tmp_path / "cases.csv").write_text("velocity [m/s],peak (GPa)\n100,1.5\n200,2,5\n")
+    with pytest.raises(hugoniot.errors.FileTrouble, match="row 2 has 3 values for 2 columns"):
+        tables.table(tmp_path / "cases.csv")
+
+
 def test_a_sweep_says_all_that_the_terminal_says(tmp_path):
     """Its warnings, sensitivity indices and spreads, from the files that the sweep has written."""
     from hugoniot.campaign.ask import Wishes, run_sweep
     from hugoniot.campaign.questions import question_of
     from hugoniot.cli.sweep import _record
-    from hugoniot.explorer import tables
 
     @contextlib.contextmanager
     def here(question, known):
@@ -255,7 +261,6 @@ def test_a_case_opens_the_run_beside_its_table(client, places, tube, tmp_path):
 def test_the_runs_that_a_sweep_kept_are_found_by_their_results(tube, tmp_path):
     """A table and a journal as `hugoniot sweep --keep` writes them, in another order than the cases."""
     from hugoniot.campaign.journal import Journal
-    from hugoniot.explorer import tables
 
     answers = [{"key": f"{k:032x}", "numbers": {"peak": 0.1 + 0.2 * k, "arrival": float("nan") if k == 2 else 1e-6 / (k + 1)}} for k in range(4)]
     with Journal(tmp_path / "cases.jsonl") as journal:

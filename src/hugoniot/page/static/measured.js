@@ -6,7 +6,7 @@
   const SI = {time: "s", velocity: "m/s", particle_velocity: "m/s", stress: "Pa", pressure: "Pa", temperature: "K", density: "kg/m^3", position: "m"};
   const cells = line => { const found = []; let cell = "", quoted = false; for (const c of line) { if (c === '"') quoted = !quoted; else if ((c === "," || c === ";" || c === "\t") && !quoted) { found.push(cell); cell = ""; } else cell += c; } return [...found, cell].map(t => t.trim()); };
   H.readMeasured = (name, text) => {
-    const lines = text.split(/\r?\n/).filter(l => l.trim() && !l.startsWith("#")), heads = cells(lines[0] || "").map(head => {
+    const lines = text.split(/\r?\n/).map((line, k) => [line, k + 1]).filter(([l]) => l.trim() && !l.startsWith("#")), heads = cells(lines[0]?.[0] || "").map(head => {
       const match = head.match(/^(.*?)\s*(?:[[(]\s*([^\])]*)\s*[\])])?\s*$/), word = match[1].trim().toLowerCase().replace(/\s+/g, "_"), unit = (match[2] || "").trim();
       if (unit && !UNITS[unit]) throw new H.Refused(`${name}: unknown unit '${unit}'; known: ${Object.keys(UNITS).join(", ")}`);
       return {word, unit: unit ? UNITS[unit][0] : SI[word] || "", factor: unit ? UNITS[unit][1] : 1};
@@ -14,7 +14,11 @@
     if (lines.length < 3) throw new H.Refused(`${name}: needs a header line, such as time [us], velocity [m/s], and at least two lines of numbers`);
     const at = heads.findIndex(h => h.unit === "s" || h.word === "t");
     if (at < 0) throw new H.Refused(`${name}: no time column; use a header such as time [us]`);
-    const rows = lines.slice(1).map((line, k) => cells(line).map((c, j) => { const v = Number(c); if (c === "" || !Number.isFinite(v)) throw new H.Refused(`${name}:${k + 2}: '${c.slice(0, 30)}' is not a number`); return v * (heads[j]?.factor ?? 1); }));
+    const rows = lines.slice(1).map(([line, number]) => {
+      const found = cells(line);
+      if (found.length !== heads.length) throw new H.Refused(`${name}:${number}: ${found.length} values for ${heads.length} columns; numbers need a decimal point, since commas separate columns`);
+      return found.map((c, j) => { const v = Number(c); if (c === "" || !Number.isFinite(v)) throw new H.Refused(`${name}:${number}: '${c.slice(0, 30)}' is not a number`); return v * heads[j].factor; });
+    });
     const time = rows.map(r => r[at]);
     return heads.map((h, j) => ({...h, j})).filter(h => h.j !== at && h.word).map(h => ({label: `${name}: ${h.word.replace(/_/g, " ")}`, unit: h.unit, time, values: rows.map(r => r[h.j] ?? NaN)}));
   };
