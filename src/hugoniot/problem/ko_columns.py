@@ -80,6 +80,8 @@ def _layer(row: list[float], file: str, line: int, number: int, left: list[str])
         tables["strength"] = {"law": "perfectly_plastic", "shear_modulus": shear * MBAR, "yield_stress": flow * MBAR}
     if kind == 1 and (fracture := fracture_table(limit * MBAR, None)) is not None:
         tables["fracture"] = fracture
+        left.append(f"layer {number}: fracture where the pressure falls below -pfrac; KO compares the longitudinal stress, and neither "
+                    "its version v11e nor pyKO acts on pfrac in such a deck")
     if nodes % 2 or nodes < 2:
         raise DeckError.single(file, line, "Nodes", f"{nodes:g} is not an even number of nodes above 0",
                                "KO counts centres and edges: 2 per cell")

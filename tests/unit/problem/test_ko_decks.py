@@ -125,7 +125,8 @@ def test_a_gas_between_spheres_gives_pyKOs_own_numbers(tmp_path):
 
 
 def test_columns_and_yaml_of_the_same_plates_make_one_deck():
-    columns, _ = tables_of(COLUMNS, read_columns)
+    columns, left = tables_of(COLUMNS, read_columns)
+    assert [text[:7] for text in left] == ["layer 2"] and "KO compares the longitudinal stress" in left[0]
     text = PLATES.replace("-1.05", "-1.0").replace("1E20", "0.5").replace("nrhomin: 0.9", "nrhomin: 1.0")
     text = text.replace("cv: 0.9", "cv: 0.9").replace("cv: 0.385", "cv: 0.38")
     yaml, _ = tables_of(text)
