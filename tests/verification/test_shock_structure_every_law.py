@@ -7,7 +7,9 @@ import pytest
 
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws import eos as _laws  # noqa: F401
+from hugoniot.laws.eos import table
 from hugoniot.laws.eos.contract import EOS, has_temperature
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.transport.contract import make
 from hugoniot.theory.structure import equations, steady
 
@@ -109,6 +111,23 @@ def test_a_strong_conducting_shock_in_a_porous_solid_is_followed_to_its_end():
     low, _ = profile.extent(1e-3)
     assert low < -200.0 * mu / m
     assert profile.at(np.array([profile.x[0]]))["temperature"][0] == pytest.approx(profile.ends.upstream.temperature, rel=1e-3)
+
+
+def test_a_table_has_the_weak_shock_of_its_law_only_on_a_fine_grid():
+    """Mach 1.01, mie_gruneisen: 202.2 without and 207.9 with conduction, in units of (4/3) mu / m.
+
+    Coarse, the temperature falls in the shock, and conduction thins the wave. An integration of v and T by the formulas of the one cell
+    it lies in, with their exact slopes (Radau, rtol 1e-9), gives 190.42793.
+    """
+    law, coarse = MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), EOS.get("table").example
+    fine = table.from_law(law, 2785.0 + 0.2785 * np.arange(-4, 110), np.arange(290.15, 310.0), rho0=2785.0)
+    for conduction, units in ((None, 202.50093), ({"law": "prandtl", "prandtl": 1.0}, 190.42793)):
+        fluid = make({"law": "constant", "shear_viscosity": 1e-3}, conduction)
+        true, near, far = (steady(par, fluid, mach=1.01) for par in (law, fine, coarse))
+        assert near.thickness() == pytest.approx(true.thickness(), rel=4e-3)
+        assert far.thickness() * far.ends.mass_flux / (4e-3 / 3.0) == pytest.approx(units, rel=1e-6)
+    gains = [p.ends.downstream.temperature - p.ends.upstream.temperature for p in (true, near, far)]
+    assert gains == pytest.approx([4.451, 4.467, -15.932], abs=1e-3)
 
 
 def test_extent_reaches_beyond_the_integration():

@@ -12,7 +12,9 @@ give $c_v \le 0$), or if $c^2 \le 0$ at a corner of a cell with $p \ge 0$. With 
 wherever $c^2 < c_m^2$ the slope $\partial p/\partial\rho$ is raised until $c = c_m$. Pressures and energies remain those of the table.
 
 Outside the grid a run extrapolates the nearest cell. The law has no entropy: bilinear tables satisfy the identity $e_v = Tp_T - p$, with
-$v = 1/\rho$, only to the resolution of the table. In Python `hugoniot.laws.eos.table.from_law` tabulates any law that has a temperature.
+$v = 1/\rho$, only to the resolution of the table. In a wide cell the temperature may even fall in a weak compression, as it does from the
+reference state of the example; heat conduction then makes a shock thinner. In Python `hugoniot.laws.eos.table.from_law` tabulates any
+law that has a temperature.
 
 Source: KB codes, section 3 (tables in density and temperature); Lyon and Johnson, LA-UR-92-3407 (1992) (SESAME table 301).
 """
