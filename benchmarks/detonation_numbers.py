@@ -31,7 +31,7 @@ from reactive_builders import PENTOLITE, PENTOLITE_HEAT, PENTOLITE_SPEED, QUIET,
 from hugoniot.campaign.pop_plot import charge_of, initiation, pop_plot  # noqa: E402
 from hugoniot.diagnostics.detonation import PopLine, body_motion, front_speed, von_neumann_pressure  # noqa: E402
 from hugoniot.errors import HugoniotError  # noqa: E402
-from hugoniot.laws.burn.programmed import Programmed  # noqa: E402
+from hugoniot.laws.burn.programmed import Beta, Programmed  # noqa: E402
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen  # noqa: E402
 from hugoniot.laws.mixture.reference_state import BEHIND, WHILE_BURNING  # noqa: E402
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic  # noqa: E402
@@ -56,14 +56,14 @@ def off(value, exact, digits=2) -> str:
 
 # -- programmed burn ---------------------------------------------------------------------------------------------------------
 def programmed() -> None:
-    """Composition B, 4 cm: D against 7.98 km/s, highest pressure in the last profile against CJ, energy error."""
+    """Composition B, 4 cm: D against 7.98 km/s, highest pressure in the last profile against CJ, energy error; `beta` behind a piston."""
     material = comp_b()
     ideal = cj(material.eos).state.pressure
     cases = [("planar", material, "planar", {}), ("cylindrical", material, "cylindrical", {"part": 0.85}),
              ("spherical", material, "spherical", {"part": 0.85}),
              ("planar, programmed_beta", by_schedule.with_compression(material), "planar", {})]
     for words, explosive, geometry, more in cases:
-        for count in (200, 400, 800):
+        for count in (200, 400, 800, *((1600,) if "beta" in words else ())):
             row = [words, f"{count // 4} zones/cm"]
             for asked in (charge(explosive, zones=count, geometry=geometry, **more),
                           staggered.leapfrog(charge(explosive, zones=count, geometry=geometry, **more))):
@@ -82,6 +82,17 @@ def programmed() -> None:
             except HugoniotError as error:
                 found = str(error)[:60]
             show(f"{count} zones, after a quarter, half, three quarters and all of the run", words, found)
+
+
+    point = by_schedule.with_compression(material).burn
+    alone = dataclasses.replace(material, burn=Beta(point.rho0, point.rho_cj))
+    speed = float(cj(material.eos).state.particle_velocity)
+    for part in (0.7, 0.9, 1.0):
+        for count in (400, 800, 1600):
+            _, seen = run(driven(alone, 0.04, count, part * speed, 0.036 / 7980.0))
+            first, *later = [100.0 * (state.zones["pressure"].max() / ideal - 1.0) for state in seen.states[1:]]
+            show(f"beta, piston at {part:g} of the CJ velocity, {count} zones",
+                 f"{first:+.1f} %, then {min(later):+.1f} to {max(later):+.1f} %")
 
 
 def initiated() -> None:
