@@ -11,7 +11,7 @@ model's authors do so), temperature K (only laws flagged "temperature_driven" re
 front reaches the zone's nearer face, zone_size m its width at t = 0. A solver calls `scheduled`, then `advance`, for every law: the
 one that does not apply returns the burn fraction unchanged, at no cost in a kernel.
 
-`advance` is exact at constant state where the rate equation has a closed solution, and otherwise sub-cycled under error control
+`advance` is exact at constant state where the rate equation has a closed-form solution, and otherwise sub-cycled under error control
 ("subcycled"). It returns exactly 1 if burning ends in finite time, never leaves [0, 1], and keeps 0 unless the law includes ignition.
 The products' equation of state and the mixing are not part of the burn law: see `laws/mixture` and `Reactive`.
 

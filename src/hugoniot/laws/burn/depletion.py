@@ -1,4 +1,4 @@
-r"""Closed solution of depletion at a constant speed, and a power that is safe at zero.
+r"""Closed-form solution of depletion at a constant speed, and a power that is safe at zero.
 
 $$\frac{d\lambda}{dt} = k\,(1-\lambda)^m \;\Rightarrow\; (1-\lambda)^{1-m} = (1-\lambda_0)^{1-m} - (1-m)\,k t \;(m \ne 1), \qquad
 1-\lambda = (1-\lambda_0)\,e^{-kt} \;(m = 1)$$

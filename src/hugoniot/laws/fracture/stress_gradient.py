@@ -1,4 +1,4 @@
-r"""Spall at a tension proportional to the square root of its gradient, but not below a least value: short pulses need a higher tension.
+r"""Spall at a tension proportional to the square root of its gradient, but not below a minimum value: short pulses need a higher tension.
 
 $$\sigma_t \ge \max\left(\sigma_m,\; A\sqrt{|d\sigma_t/dx|}\right), \qquad A = \sigma_r/\sqrt{G_r}$$
 

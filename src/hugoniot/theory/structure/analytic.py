@@ -1,4 +1,4 @@
-r"""Closed solutions of the shock structure of an ideal gas with constant viscosity and Prandtl number 3/4 (Becker).
+r"""Closed-form solutions of the shock structure of an ideal gas with constant viscosity and Prandtl number 3/4 (Becker).
 
 With $\phi = u/u_1$, total enthalpy is constant through the shock and momentum integrates to
 
@@ -22,7 +22,7 @@ from hugoniot.errors import OutOfRange
 
 @dataclass(frozen=True)
 class BeckerShock:
-    """The closed solution for one Mach number and ratio of specific heats; lengths in the mean free path lambda_bsl ahead."""
+    """The closed-form solution for one Mach number and ratio of specific heats; lengths in the mean free path lambda_bsl ahead."""
 
     mach: float
     gamma: float = 5.0 / 3.0
