@@ -160,7 +160,9 @@ def test_a_pulse_shorter_than_the_first_step_is_resolved():
     ("power = 1e9\nintensity = 1e9", "one of power and intensity"),
     ('power = 1e9\nabsorption_length = "1 mm"', "applies to an intensity"),
     ('power = 1e9\ndepths = ["1 mm", "3 mm"]', "as many weights as depths"),
-    ('power = 1e9\ndepths = ["11 mm", "13 mm"]\nweights = [1, 1]', "begins beyond 'slab'"),
+    ('power = 1e9\ndepths = ["11 mm", "13 mm"]\nweights = [1, 1]', "weights are 0 throughout 'slab'"),
+    ('power = 1e9\ndepths = ["0 mm", "10 mm", "13 mm"]\nweights = [0, 0, 1]', "weights are 0 throughout 'slab'"),
+    ('intensity = 1e9\ndepths = ["0 mm", "10 mm", "13 mm"]\nweights = [0, 0, 1]', "weights are 0 throughout 'slab'"),
 ])
 def test_sources_that_cannot_be(source, words):
     with pytest.raises(DeckError, match=words):

@@ -3,6 +3,7 @@
 from types import MappingProxyType
 from typing import Annotated, Any, Literal
 
+import numpy as np
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from hugoniot.errors import OutOfRange
@@ -196,14 +197,20 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
         elif problem.materials[region.material].burn is not None:
             found.append((("heat_source", k, "region"), f"'{source.region}' burns: how reactants and products share the heat is unknown",
                           "heat an inert region"))
-        elif source.depths and source.depths[0] >= region.end - region.start:
-            found.append((("heat_source", k, "depths"), f"the profile begins beyond '{source.region}'",
+        elif source.depths and not _deposits(source, region.end - region.start):
+            found.append((("heat_source", k, "weights"), f"nothing is heated: the weights are 0 throughout '{source.region}'",
                           "depths are measured from the face of the region"))
         elif source.kind == "intensity" and curved and source.side == "left" and region.start == 0.0:
             found.append((("heat_source", k, "side"), "nothing passes through the axis or the centre", 'use side = "right", or power'))
     for name, table in problem.transport.items():
         found += _transport_defects(problem, name, table)
     return found
+
+
+def _deposits(source: HeatSource, width: float) -> bool:
+    """Whether a profile in depth is above zero somewhere in a region of that width, m."""
+    inside = [weight for depth, weight in zip(source.depths, source.weights) if depth < width]
+    return any(inside) or bool(inside) and float(np.interp(width, source.depths, source.weights, right=0.0)) > 0.0
 
 
 def _transport_defects(problem: Problem, name: str, table: dict) -> list[tuple[tuple, str, str]]:
