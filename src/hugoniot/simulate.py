@@ -30,6 +30,8 @@ from hugoniot.version import __version__
 if TYPE_CHECKING:
     from hugoniot.output.run import Run
 
+MUCH_ENERGY = 0.01      # energy error of which a run warns
+
 
 def make_solver(problem: Problem) -> Any:
     """The solver a problem asks for by name: a `solvers.protocol.LineSolver`, or of two dimensions a `PlaneSolver`."""
@@ -263,6 +265,11 @@ def _doubts(problem: Problem, solver: Solver) -> list[str]:
         from hugoniot.diagnostics.transmitting import measured
         from hugoniot.solvers.lagrange1d.transmitting import missing
 
+        error = solver.errors()["energy_error"]
+        if error > MUCH_ENERGY:
+            found.append(f"the energy error is {100.0 * error:.2g} %: the integrator {problem.solver.integrator} does not conserve energy, "
+                         "least of all where material converges on the axis or centre, and smaller steps or zones need not help; run again "
+                         "with integrator = \"compatible\" and compare")
         found += measured(problem, peaks["peak_stress"], missing(solver.control))
         found += unresolved(problem, solver.opened, solver.region_of)
     return found
