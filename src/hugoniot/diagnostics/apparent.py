@@ -33,7 +33,9 @@ def with_apparent_velocity(problem: Problem, values: Mapping[str, np.ndarray]) -
         first, last = (part.strip() for part in str(gauge.at).split("/", 1))
         faces = [velocity[f"{first}:right"], velocity[f"{last}:left"]]
         near = faces.pop(0 if gauge.window == first else 1)
-        far = velocity.get(f"free surface {'left' if gauge.window == problem.regions[0].name else 'right'}", 0.0)
+        side = "left" if gauge.window == problem.regions[0].name else "right"
+        far = next((velocity[at] for at in (f"free surface {side}", f"{gauge.window}:{side}") if at in velocity), 0.0)
+        far = far if getattr(problem, side).kind == "free" else 0.0
         factor = np.nan if gauge.window_factor is None else gauge.window_factor
         seen[:, k] = faces[0] + (factor - 1.0) * (near - far)
     return found | {APPARENT: seen}

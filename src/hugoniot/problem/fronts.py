@@ -19,6 +19,7 @@ from hugoniot.materials.material import Material
 from hugoniot.problem import checks, explosives, lagrangian, output_fields, windows
 from hugoniot.problem.advice import advice_on_speeds, unlikely_constants
 from hugoniot.problem.defaults import completed
+from hugoniot.problem.gauges import misnamed
 from hugoniot.problem.lagrangian import (
     BoundaryTables,
     GaugeTable,
@@ -124,7 +125,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     lighting = tuple(Lighting(row.at, row.time) for row in model.lighting)
     problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, options, output,
                       lighting)
-    for defect in (*explosives.defects(problem), *windows.defects(problem),
+    for defect in (*explosives.defects(problem), *windows.defects(problem), *misnamed(problem),
                    *output_fields.defects(problem.output, problem.regions, problem.materials)):
         collector.add(*defect)
     for path, message in defects(problem):

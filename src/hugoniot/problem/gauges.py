@@ -31,6 +31,15 @@ def place_name(at: float | str, regions: Sequence[Region]) -> float | str:
     return f"{ending[0]}:right" if ending else f"{starting[0]}:left" if starting else at
 
 
+def misnamed(problem: Problem) -> list[tuple[tuple, str, str]]:
+    """(place in the deck, message, way out) of gauges with the name of one that is recorded without being asked, but at another place."""
+    first, last = problem.regions[0].name, problem.regions[-1].name
+    kept = {f"free surface {side}": (f"free surface {side}", f"{name}:{side}") for side, name in (("left", first), ("right", last))}
+    kept |= {side.name: (side.at,) for gauge in problem.gauges for side in _sides(gauge)}
+    return [(("gauge", k, "name"), f"the name '{gauge.name}' belongs to a gauge at \"{kept[gauge.name][0]}\"",
+             "choose another name") for k, gauge in enumerate(problem.gauges) if gauge.at not in kept.get(gauge.name, (gauge.at,))]
+
+
 def with_automatic_gauges(problem: Problem) -> Problem:
     """The problem with a gauge on both sides of every interface gauge, and on every free end that has none.
 

@@ -15,6 +15,7 @@ from hugoniot.problem import checks, explosives, output_fields, periodic, terms,
 from hugoniot.problem.advice import advice
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
 from hugoniot.problem.defaults import SNAPSHOTS, completed, whole_viscosity
+from hugoniot.problem.gauges import misnamed
 from hugoniot.problem.model import Boundary, Lighting, OutputOptions, Problem, SolverOptions
 from hugoniot.problem.profiles import ProfileTable, profile_value
 from hugoniot.problem.schema import Length, Pressure, Quantity, Table, Time, salvage, trouble
@@ -246,7 +247,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
                       f"the limit is {MOST_GAUGES}")
     asked = replace(problem, gauges=gauges)      # in the order of the deck, which places are counted by
     for defect in (*explosives.defects(problem), *periodic.defects(problem), *terms.defects(problem), *windows.defects(asked),
-                   *output_fields.defects(problem.output, problem.regions, problem.materials)):
+                   *misnamed(asked), *output_fields.defects(problem.output, problem.regions, problem.materials)):
         collector.add(*defect)
     if collector.problems:
         return None, warnings

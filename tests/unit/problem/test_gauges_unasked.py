@@ -52,6 +52,14 @@ def problem(**changes):
     return dataclasses.replace(made, **changes)
 
 
+@pytest.mark.parametrize("name, at", (("contact left", "0.5 m"), ("contact right", "a:right"), ("free surface left", "1.5 m")))
+def test_the_name_of_an_automatic_gauge_belongs_to_its_place(name, at):
+    """What is computed from the gauges beside an interface and on the ends would be computed from another place, or crash."""
+    with pytest.raises(DeckError, match=f"the name '{name}' belongs to a gauge at"):
+        read_deck_text(DECK + f'[[gauge]]\nname = "{name}"\nat = "{at}"\n')
+    read_deck_text(DECK + '[[gauge]]\nname = "contact left"\nat = "a:right"\n[[gauge]]\nname = "free surface left"\nat = "0 m"\n')
+
+
 @pytest.mark.parametrize("at, place", (("1 m", "a/2nd"), ("0.99999999999999 m", "a/2nd"), ("0 m", "a:left"), ("2 m", "2nd:right"),
                                        ("0.999999 m", 0.999999)))
 def test_a_gauge_given_by_the_coordinate_of_a_face_is_on_that_face(at, place):

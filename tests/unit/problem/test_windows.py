@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from hugoniot import run
+from hugoniot.diagnostics.apparent import with_apparent_velocity
 from hugoniot.errors import DeckError
 from hugoniot.materials import library
 from hugoniot.problem.deck import read_deck_text
@@ -71,6 +72,16 @@ def test_the_apparent_velocity_is_that_of_the_optical_path(tmp_path):
         assert np.array_equal(found.gauge("stress", f"visar {side}")[1], found.gauge("stress", "visar")[1])
     early = (time > 0.22e-6) & (time < 0.30e-6)
     assert seen[early] == pytest.approx(1.2769 * found.gauge("velocity", "visar")[1][early], rel=1e-6)
+
+
+@pytest.mark.parametrize("gauge", (("free surface right", "3 mm"), ("back", "free surface right"), ("back", "glass:right")))
+def test_a_gauge_of_the_deck_on_the_far_surface_counts_like_the_automatic_one(gauge):
+    """u + (a - 1)(u - u_f) with u = 100 and u_f = 30 m/s, however that gauge is called."""
+    name, at = gauge
+    problem = read_deck_text(DECK + f'[[gauge]]\nname = "{name}"\nat = "{at}"\n').problem
+    far = [gauge.at in ("free surface right", "glass:right") for gauge in problem.gauges]
+    seen = with_apparent_velocity(problem, {"velocity": np.where(far, 30.0, 100.0)[None, :]})["apparent_velocity"]
+    assert seen[0, 0] == pytest.approx(100.0 + 0.2769 * 70.0, rel=1e-12)
 
 
 def test_plexiglas_shows_the_velocity_of_the_interface_itself():
