@@ -85,7 +85,7 @@ class MemoryRun:
         if len(times) and self.problem.gauges:
             values = {name: value for name, value in values.items() if name not in ("share", "phases")}
             flat = self.problem.solver.kind == "lagrange2d"
-            kept = values if flat else with_apparent_velocity(self.problem, without_mixtures(values, self.problem.gauges))
+            kept = values if flat else with_apparent_velocity(self.problem, without_mixtures(values, self.problem))
             self._gauges.append((times, kept))
 
     def _keep_motion(self, state) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from hugoniot.diagnostics.apparent import APPARENT
 from hugoniot.problem.gauges import is_interface
-from hugoniot.problem.model import Gauge
+from hugoniot.problem.model import Gauge, Problem
 
 CONTINUOUS = ("position", "velocity", "stress", APPARENT)
 
@@ -27,11 +27,20 @@ def sides(gauges: Sequence[dict]) -> dict[str, str]:
     return found
 
 
-def without_mixtures(values: dict[str, np.ndarray], gauges: Sequence[Gauge]) -> dict[str, np.ndarray]:
+def _strongest_tension(problem: Problem, gauge: Gauge) -> float:
+    """Tension that the interface of a gauge carries before it opens, Pa; inf where it never does."""
+    pair = {part.strip() for part in str(gauge.at).split("/", 1)}
+    kinds = [{"bonded": np.inf, "separable": 0.0, "bond": row.strength}[row.kind] for row in problem.interfaces if {row.left, row.right} == pair]
+    return kinds[0] if kinds else 0.0
+
+
+def without_mixtures(values: dict[str, np.ndarray], problem: Problem) -> dict[str, np.ndarray]:
     """Gauge records (n, ngauge) in which what jumps across an interface is NaN at the interface gauge itself.
 
-    The gauges of both sides have its stress, that of their common face: the zone beside it holds the stress of another place.
+    The gauges of both sides have its stress, that of their common face: the zone beside it holds the stress of another place. Its tension
+    does not exceed the strength of the interface, as it would in the step at whose end the interface opens.
     """
+    gauges = problem.gauges
     columns = [k for k, gauge in enumerate(gauges) if is_interface(gauge.at)]
     if not columns:
         return values
@@ -43,7 +52,9 @@ def without_mixtures(values: dict[str, np.ndarray], gauges: Sequence[Gauge]) -> 
         found[name] = record
     if "stress" in values:
         found["stress"] = np.array(values["stress"], dtype=float)
+        for k in columns:
+            found["stress"][:, k] = np.maximum(found["stress"][:, k], -_strongest_tension(problem, gauges[k]))
         names = [gauge.name for gauge in gauges]
         for side, whole in sides([{"name": gauge.name, "at": gauge.at} for gauge in gauges]).items():
-            found["stress"][:, names.index(side)] = values["stress"][:, names.index(whole)]
+            found["stress"][:, names.index(side)] = found["stress"][:, names.index(whole)]
     return found

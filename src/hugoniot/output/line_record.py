@@ -44,7 +44,7 @@ class LineRecorder(Recorder):
             if self.hot:
                 laws = [self.laws[self.solver.region_of[zone]] for zone in self.solver.gauge_zones]
                 values = {**values, "temperature": gauge_temperature({**values, "share": share, "phases": phases}, laws)}
-            self.folder.gauges(times, with_apparent_velocity(self.problem, without_mixtures(values, self.problem.gauges)))
+            self.folder.gauges(times, with_apparent_velocity(self.problem, without_mixtures(values, self.problem)))
 
     def snapshot(self, state):
         heat = zone_temperature(state, self.solver.region_of, self.laws, self.solver.phases()) if self.hot else None

@@ -60,3 +60,17 @@ def test_round_off_before_a_wave_does_not_part_an_interface(tmp_path):
     velocity = released.gauge("velocity", "both")[1]
     assert 0.0 < np.abs(velocity[velocity != 0.0]).min() < 1e-9 < np.abs(velocity).max()
     assert [row["gauge"] for row in gauge_rows(released)] == ["both", "free surface right"]
+
+
+@pytest.mark.parametrize("kind, strength, least", [("separable", 0.0, 0.0), ("bond", 2e8, -2e8), ("bonded", 0.0, -1e9)])
+def test_the_tension_of_an_interface_is_not_above_its_strength(tmp_path, kind, strength, least):
+    """A thin plate pulls at the interface once its release has come back: in the step in which this opens, its two zones have tension."""
+    regions = (Region("thin", "ta", -0.5e-3, 0.0, 10, velocity=SPEED), Region("thick", "ta", 0.0, 2e-3, 40), Region("back", "ta", 2e-3, 2.4e-3, 8))
+    joint = () if kind == "separable" else (Interface("thick", "back", kind, strength),)
+    problem = Problem("pulled", "planar", 1e-6, regions, {"ta": Material("ta", TANTALUM)}, gauges=(Gauge("joint", "thick/back"),),
+                      interfaces=joint, output=OutputOptions(report=False))
+    pulled = run(problem, tmp_path / "run")
+    assert pulled.summary["interfaces_separated"] > 0 or kind == "bonded"
+    for name in ("joint", "joint left", "joint right"):
+        lowest = float(pulled.gauge("stress", name)[1].min())
+        assert lowest == least if kind != "bonded" else lowest < least
