@@ -129,7 +129,9 @@ def records(run) -> list[Record]:
             outward = sign * velocity
             other = names.index(region) + (-1 if leftward else 1)
             ahead = names[other] if kind == SURFACE and 0 <= other < len(names) else ""
-            found.append(Record(time, outward, name, kind, region, window, f"gauge '{name}'", first(outward), ahead, sign))
+            ends_at = np.ravel(run.setup["regions"][names.index(region)]["velocity"])
+            start = sign * float(ends_at[0 if leftward else -1])     # the first sample may lie behind a wave that starts here
+            found.append(Record(time, outward, name, kind, region, window, f"gauge '{name}'", start, ahead, sign))
     return sorted(found, key=lambda r: (r.region not in hit, r.region in driving, at.get(r.gauge) == r.gauge, r.kind != SURFACE))
 
 

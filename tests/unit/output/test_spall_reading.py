@@ -312,6 +312,13 @@ def test_the_velocity_of_the_surface_is_along_x_whichever_way_it_and_its_body_mo
     assert found["surface_start"] == pytest.approx(way * body, abs=1e-9)
 
 
+def test_a_surface_under_pressure_starts_from_rest(tmp_path):
+    """Its release begins at t = 0, and the first sample of its gauge is one step later."""
+    done = run(started(plates(("plate", ALUMINIUM, None, 0.0, 1.0, 0.0), stop=5e-8), pressure=1e9), out=tmp_path / "run")
+    assert done.gauge("velocity", "free surface right")[1][0] > 1.0
+    assert surface_record(done).start == 0.0 and "surface_start" in highest(done) and highest(done)["surface_start"] == 0.0
+
+
 def test_a_joint_that_moves_into_the_body_that_was_hit_has_its_velocity(tmp_path):
     """The largest velocity outwards, with its sign, stood for it. Across the joint the wave from the right keeps its velocity, as both sides
     are aluminium."""
