@@ -30,8 +30,8 @@ def sides(gauges: Sequence[dict]) -> dict[str, str]:
 def _strongest_tension(problem: Problem, gauge: Gauge) -> float:
     """Tension that the interface of a gauge carries before it opens, Pa; inf where it never does."""
     pair = {part.strip() for part in str(gauge.at).split("/", 1)}
-    kinds = [{"bonded": np.inf, "separable": 0.0, "bond": row.strength}[row.kind] for row in problem.interfaces if {row.left, row.right} == pair]
-    return kinds[0] if kinds else 0.0
+    row = next((row for row in problem.interfaces if {row.left, row.right} == pair), None)
+    return 0.0 if row is None else {"bonded": np.inf, "separable": 0.0, "bond": row.strength}[row.kind]
 
 
 def without_mixtures(values: dict[str, np.ndarray], problem: Problem) -> dict[str, np.ndarray]:

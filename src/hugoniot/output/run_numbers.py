@@ -53,10 +53,8 @@ def gauge_rows(run: Run) -> list[dict]:
     table = run.arrays("gauges") if run.gauge_names() else {}
     plane = "axes" in run.setup
     word = "pressure" if plane else "stress"
-    largest = {name: largest_value(run, name) for name in ("velocity", word)}
-    noise = NOISE * largest["velocity"]
-    # of a body at rest under pressure all velocities are round-off: that of its stress, which is rho c times a velocity
-    moving = max(largest["velocity"], 0.1 * largest_value(run, "sound_speed"))
+    noise = NOISE * largest_value(run, "velocity")
+    moving, stressed = _scales(run, word)
     names = run.gauge_names()
     side_of = sides(run.setup["gauges"])
     placed = {gauge["name"]: gauge for gauge in run.setup["gauges"]}
@@ -70,7 +68,7 @@ def gauge_rows(run: Run) -> list[dict]:
         velocity, change = (without_round_off(values[:end], moving) for values in (velocity, change))
         row: dict = {"gauge": name}
         moved = bool(np.max(np.abs(change - change[0])) > noise)
-        stress = without_round_off(table[word][:end, k], largest[word]) if word in table else None
+        stress = without_round_off(table[word][:end, k], stressed) if word in table else None
         out = outward(run.setup, gauge)
         place = table["position"][:end, k] if "position" in table else None
         loads = [] if stress is None else [change * out] if plane and out else [stress, change * out]
@@ -89,6 +87,17 @@ def gauge_rows(run: Run) -> list[dict]:
         for row in rows:
             del row["second_arrival"]
     return rows
+
+
+def _scales(run: Run, word: str) -> tuple[float, float]:
+    """The largest velocity, m/s, and stress or pressure (`word`), Pa, of a run, beside which smaller values are round-off.
+
+    Of a body at rest under pressure all velocities are round-off: that of its stress, which is rho c times a velocity; of a free body that
+    moves as a whole all stresses are.
+    """
+    fast = largest_value(run, "sound_speed")
+    moving = max(largest_value(run, "velocity"), 0.1 * fast)
+    return moving, max(largest_value(run, word), largest_value(run, "density") * fast * moving)
 
 
 def at_impact(setup, gauge: Mapping) -> bool:
@@ -190,6 +199,7 @@ def highest(run: Run) -> dict:
         values = next((np.abs(peaks[n]) if word == "tension" else peaks[n] for n in names if n in peaks and len(peaks[n])), None)
         if values is None or (word == "pressure" and "stress" in found):
             continue
+        values = without_round_off(values, _scales(run, word)[1])
         least = NOISE * found.get("stress", found.get("pressure", 0.0))
         if word == "tension" and not np.max(values) > least:
             continue
@@ -213,7 +223,7 @@ def highest(run: Run) -> dict:
 def highest_rows(run: Run) -> list[tuple[str, str, str]]:
     """(what, its value, where) of `highest` in words."""
     top = highest(run)
-    rows = [(word, format_si(top[word], "Pa", 5), _place(top[f"{word}_region"], top[f"{word}_at"])
+    rows = [(word, format_si(top[word], "Pa", 5), (_place(top[f"{word}_region"], top[f"{word}_at"]) if top[word] else "")
              + ("; a wave converges there, and the value depends on the mesh" if f"{word}_focus" in top else
                 "; a shock that forms there overshoots" if f"{word}_forming" in top else ""))
             for word in ("stress", "pressure", "tension") if word in top]

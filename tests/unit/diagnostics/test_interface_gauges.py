@@ -7,8 +7,8 @@ from hugoniot import run
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.materials.material import Material
 from hugoniot.output.compare import compare, run_records
-from hugoniot.output.run_numbers import gauge_rows
-from hugoniot.problem.model import Gauge, Interface, OutputOptions, Problem, Region
+from hugoniot.output.run_numbers import gauge_rows, highest
+from hugoniot.problem.model import BodyForce, Gauge, Interface, OutputOptions, Problem, Pulse, Region
 from hugoniot.theory.impedance import match
 
 TANTALUM = MieGruneisen(16650.0, 3414.0, 1.2, 1.6, 140.0)
@@ -74,3 +74,14 @@ def test_the_tension_of_an_interface_is_not_above_its_strength(tmp_path, kind, s
     for name in ("joint", "joint left", "joint right"):
         lowest = float(pulled.gauge("stress", name)[1].min())
         assert lowest == least if kind != "bonded" else lowest < least
+
+
+def test_round_off_of_a_body_in_free_fall_is_no_stress(tmp_path):
+    """Plates that a body force accelerates alike stay free of stress: 2 mPa of round-off were printed as peak and lowest stress."""
+    regions = (Region("Ta", "ta", 0.0, 1e-3, 20), Region("LiF", "lif", 1e-3, 2e-3, 20))
+    problem = Problem("falling", "planar", 1e-6, regions, {"ta": Material("ta", TANTALUM), "lif": Material("lif", FLUORIDE)},
+                      gauges=(Gauge("inside", 0.5e-3),), body_force=BodyForce(Pulse("constant", 1e8)), output=OutputOptions(report=False))
+    falling = run(problem, tmp_path / "run")
+    row = gauge_rows(falling)[0]
+    assert np.abs(falling.gauge("stress", "inside")[1]).max() > 0.0 and np.isnan(row["peak_stress"]) and np.isnan(row["lowest_stress"])
+    assert row["last_velocity"] == pytest.approx(100.0) and highest(falling)["stress"] == 0.0 and "tension" not in highest(falling)
