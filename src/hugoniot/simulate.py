@@ -17,6 +17,7 @@ from hugoniot.output.line_record import LineRecorder, line_meta
 from hugoniot.output.origin import check_program, other_machine
 from hugoniot.output.plane_record import PlaneRecorder, plane_meta
 from hugoniot.output.run_folder import RunFolder
+from hugoniot.problem import windows
 from hugoniot.problem.defaults import completed
 from hugoniot.problem.model import Problem
 from hugoniot.problem.plane.model import Problem2D
@@ -272,6 +273,8 @@ def _doubts(problem: Problem, solver: Solver) -> list[str]:
                          "with integrator = \"compatible\" and compare")
         found += measured(problem, peaks["peak_stress"], missing(solver.control))
         found += unresolved(problem, solver.opened, solver.region_of)
+        inside = [region for before, region in solver.region_of[np.add.outer(solver.opened, (-1, 0))] if before == region]
+        found += windows.broken(problem, {problem.regions[region].name for region in inside})
     return found
 
 

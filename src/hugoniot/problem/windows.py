@@ -1,5 +1,6 @@
 """Gauges that look at an interface through a window, as a velocity interferometer does."""
 
+from collections.abc import Set
 from functools import partial
 
 from hugoniot.materials import library
@@ -65,6 +66,12 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
         elif ends[gauge.window].kind not in ("free", "fixed", "transmitting"):
             found.append((path, "the far surface of a window is free, fixed or transmitting", "leave window out"))
     return found
+
+
+def broken(problem: Problem, regions: Set[str]) -> list[str]:
+    """Warnings of gauges that look through a window in which a void opened; `regions` are the names of those that broke."""
+    return [f"a void opened in the window '{gauge.window}': from then on the apparent velocity at gauge '{gauge.name}' is not what an "
+            "interferometer would see" for gauge in problem.gauges if gauge.window in regions]
 
 
 def advice(problem: Problem) -> list[str]:

@@ -7,6 +7,7 @@ from hugoniot import run
 from hugoniot.diagnostics.apparent import with_apparent_velocity
 from hugoniot.errors import DeckError
 from hugoniot.materials import library
+from hugoniot.output.run_numbers import warnings_of
 from hugoniot.problem.deck import read_deck_text
 
 DECK = """
@@ -82,6 +83,14 @@ def test_a_gauge_of_the_deck_on_the_far_surface_counts_like_the_automatic_one(ga
     far = [gauge.at in ("free surface right", "glass:right") for gauge in problem.gauges]
     seen = with_apparent_velocity(problem, {"velocity": np.where(far, 30.0, 100.0)[None, :]})["apparent_velocity"]
     assert seen[0, 0] == pytest.approx(100.0 + 0.2769 * 70.0, rel=1e-12)
+
+
+def test_a_run_warns_of_a_window_that_breaks(tmp_path):
+    """The light does not pass a spall plane; the formula would count the voids as glass: 22 m/s for the 4 m/s of the path."""
+    thin = DECK.replace('"-1 mm"', '"-0.3 mm"').replace("zones = 40", "zones = 20").replace("zones = 80", "zones = 40").replace('"LiF"', '"w"')
+    thin += '[material.w]\nbase = "LiF"\nfracture = {law = "spall_stress", strength = "0.3 GPa"}\n[output]\nreport = false\n'
+    warned = [text for text in warnings_of(run(read_deck_text(thin).problem, tmp_path / "run")) if "in the window 'glass'" in text]
+    assert len(warned) == 1 and "gauge 'visar'" in warned[0]
 
 
 def test_plexiglas_shows_the_velocity_of_the_interface_itself():
