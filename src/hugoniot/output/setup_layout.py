@@ -15,7 +15,7 @@ _LAW: dict[Any, Any] = {
 _LAW["inner"] = [_LAW]
 _SOURCE = {"quantity": Text, "value": (object,), "unit": Text, "source": Text, "status": Text, "note": Text}
 _MATERIAL = {"name": Text, "laws": [_LAW], "other_sources": [_SOURCE], "warnings": [Text], "reach?": Text,
-             "at_rest?": {...: Number}}
+             "at_rest?": {...: Number}, "bulk?": {"bulk_ratio": Number, "bulk_viscosity": Number}}
 _TRANSPORT = {"laws": [_LAW], "bulk_ratio": Number, "bulk_viscosity": Number}
 _COMMON = {"title": Text, "geometry": Text, "version": Text, "stop_time": Number, "references": [Text], "materials": {...: _MATERIAL}}
 _LINE = {

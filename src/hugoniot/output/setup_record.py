@@ -140,10 +140,12 @@ def transport_record(transport) -> dict:
 
 
 def _with_transport(record: dict, table: Any) -> dict:
-    """A material's record with the laws of its own physical viscosity and conduction (`problem.terms`), where it has any."""
+    """A material's record with the laws of its own physical viscosity and conduction (`problem.terms`), where it has any, and its bulk
+    viscosity."""
     laws = [law_record(family, family.get(table[key]["law"]).build(**{k: v for k, v in table[key].items() if k != "law"}))
             for key, family in (("viscosity", TRANSPORT), ("conduction", CONDUCTION)) if table and key in table]
-    return {**record, "laws": record["laws"] + laws}
+    bulk = {"bulk": {key: table[key] for key in ("bulk_ratio", "bulk_viscosity")}} if table and "viscosity" in table else {}
+    return {**record, "laws": record["laws"] + laws, **bulk}
 
 
 def _viscosity_record(problem, meta: dict) -> dict | None:

@@ -97,6 +97,7 @@ def materials(setup: dict) -> str:
         parts += [f'<p class="warning">{text(warning)}</p>' for warning in material["warnings"]]
         sources = _Citations()
         parts.append(_laws(material["laws"], sources))
+        parts.append(f"<p class=quiet>{_bulk(material['bulk'])}.</p>" if "bulk" in material else "")
         if material["other_sources"]:
             rows = [(text(s["quantity"]), number(s["value"], s["unit"]), sources.cite(s), _mark(s["status"]))
                     for s in material["other_sources"]]
@@ -151,9 +152,12 @@ def structure(summary: dict) -> str:
     return table(("measure", "value", "definition"), rows)
 
 
+def _bulk(record: dict) -> str:
+    return f"Bulk viscosity ζ = {number(record['bulk_ratio'])} μ + {number(record['bulk_viscosity'], 'Pa s')}"
+
+
 def _transport(record: dict) -> str:
-    bulk = number(record["bulk_viscosity"], "Pa s")
-    words = f"Bulk viscosity ζ = {number(record['bulk_ratio'])} μ + {bulk}; stress τ = (4/3 μ + ζ) du/dx, heat flux q = −k dT/dx."
+    words = f"{_bulk(record)}; stress τ = (4/3 μ + ζ) du/dx, heat flux q = −k dT/dx."
     return _laws(record["laws"]) + f"<p class=quiet>{words}</p>"
 
 

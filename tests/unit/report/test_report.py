@@ -18,7 +18,10 @@ import acoustic_flyer
 
 from hugoniot.errors import FileTrouble
 from hugoniot.output.seal import MARK, sealed_json
+from hugoniot.output.setup_record import setup_record
+from hugoniot.problem.deck import read_deck_text
 from hugoniot.report import write_report
+from hugoniot.report.sections import materials
 
 
 @pytest.fixture(scope="module")
@@ -184,3 +187,11 @@ def test_a_run_without_gauges_or_events_or_with_one_record_has_a_page(tmp_path, 
         assert "Set-up" in page and ("the snapshots only; a gauge at" in page) == (cycles > 1)
         assert (folder / "gauges.csv").read_text() == "time [s]\n"
     assert not [w for w in recwarn if "identical" in str(w.message)]
+
+
+def test_the_bulk_viscosity_of_a_material_stands_beside_its_shear_viscosity():
+    deck = '[[region]]\nname = "a"\nmaterial = "gas"\nfrom = 0\nto = 1\nzones = 2\ndensity = 1.2\npressure = 1e5\n'
+    deck += '[material.gas.eos]\nlaw = "ideal_gas"\ngamma = 1.4\n[transport.gas]\nviscosity = {law = "constant", shear_viscosity = 2e-5}\n'
+    for extra, words in (("", "ζ = 0 μ + 0 Pa s"), ("bulk_ratio = 0.6\nbulk_viscosity = 3e-6\n", "ζ = 0.6 μ + 3e-06 Pa s")):
+        problem = read_deck_text("stop_time = 1e-6\n" + deck + extra).problem
+        assert words in materials(setup_record(problem, {}))
