@@ -222,6 +222,42 @@ def test_a_viscous_conducting_shock_has_its_steady_thickness(integrator):
     assert energy < (1e-12 if integrator == "compatible" else 1e-3)
 
 
+@pytest.mark.parametrize("integrator, options", [("compatible", ""), ("compatible", "courant = 1.0"), ("wilkins", "")])
+def test_a_step_of_velocity_diffuses(integrator, options):
+    """u0 (1 + erf(x / sqrt(4 nu t)))/2: in 10 ns sound goes 4 um and the motion 0.2 mm. The first step, too, is that of the viscosity,
+    600 times shorter than that of sound."""
+    text = """stop_time = "10 ns"
+[[region]]
+name = "slow"
+material = "cu"
+from = "-1 mm"
+to = "0 mm"
+zones = 40
+[[region]]
+name = "fast"
+material = "cu"
+from = "0 mm"
+to = "1 mm"
+zones = 40
+velocity = "1 m/s"
+[[interface]]
+between = ["slow", "fast"]
+kind = "bonded"
+[material.cu.eos]
+law = "mie_gruneisen"
+rho0 = 8930.0
+c0 = 394.0
+s = 1.489
+gamma0 = 1.99
+[transport.cu]
+viscosity = {law = "constant", shear_viscosity = 1e4}
+"""
+    run = finished(text + f'[solver]\nintegrator = "{integrator}"\n{options}\n')
+    nu, nodes = 4.0 / 3.0 * 1e4 / 8930.0, run.state()
+    exact = 0.5 * (1.0 + erf(nodes.position_right / np.sqrt(4.0 * nu * 1e-8)))
+    assert nodes.velocity_right == pytest.approx(exact, abs=2e-3)
+
+
 @pytest.mark.parametrize("geometry, integrator", CURVED)
 def test_viscous_stresses_of_a_linear_velocity_field_in_curved_geometry(geometry, integrator):
     """u = a + b r: rates b along the radius and u/r around it, and what they dissipate in a short time."""

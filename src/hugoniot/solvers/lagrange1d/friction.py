@@ -4,8 +4,10 @@ $$\tau_r = 2\mu\left(\dot\epsilon_r - \tfrac13\dot\vartheta\right) + \zeta\dot\v
   \tau_h = 2\mu\left(\dot\epsilon_h - \tfrac13\dot\vartheta\right) + \zeta\dot\vartheta, \qquad \zeta = r_b\mu + \zeta_0$$
 
 with $\dot\vartheta$ the rate of volume strain. They are added to the stress that moves the nodes, so in the compatible integrator their
-work equals their dissipation to round-off; the leapfrog adds their work over the step to the energy before the pressure work. The scheme is
-explicit: a step is at most half the viscous diffusion time of a zone.
+work equals their dissipation to round-off; the leapfrog adds their work over the step to the energy before the pressure work.
+
+The scheme is explicit. With the velocities extrapolated to the middle of the step it is that of Adams and Bashforth, stable in steps of
+up to a quarter of the viscous diffusion time of a zone; the leapfrog, with those of the step before, in steps of up to half of it.
 
 Source: Herrmann equations 3.1 to 3.5; Jordan chapter 2 (4/3 mu + zeta along the motion).
 """
@@ -16,6 +18,8 @@ from hugoniot.mesh.line import area_per_radius, hoops, mean_area
 from hugoniot.solvers.lagrange1d.stress import hoop_force, strains
 from hugoniot.zones.soundness import FOUND_RATE
 from hugoniot.zones.transport import find_viscosity
+
+EXTRAPOLATED = 4.0     # by it, viscous zones that close and open in turn are damped in any step of up to a Courant number of 1
 
 
 # -- passes ------------------------------------------------------------------------------------------------------------
@@ -56,12 +60,12 @@ def pull_pass(count, z, dt, numbers, law):
 
 @zone_pass("viscosity v c speed inverse_width found")
 def hasten_pass(count, z, dt, numbers, law):
-    """The largest signal rate with the physical viscosity, whose kinematic one over a zone's width is a speed as the artificial's."""
+    """The largest signal rate with the physical viscosity, whose kinematic one over a zone's width is a speed."""
     rows_apart()
     ratio, bulk, fastest = numbers[0], numbers[1], z.found[FOUND_RATE]
     for j in range(count):
         along = ((4.0 / 3.0 + ratio) * z.viscosity[j] + bulk) * z.v[j] * z.inverse_width[j]
-        fastest = fmax(fastest, (z.c[j] + 2.0 * (z.speed[j] + along)) * z.inverse_width[j])
+        fastest = fmax(fastest, (z.c[j] + 2.0 * z.speed[j] + EXTRAPOLATED * along) * z.inverse_width[j])
     z.found[FOUND_RATE] = fastest
 
 

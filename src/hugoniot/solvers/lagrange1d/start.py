@@ -3,8 +3,12 @@
 import numpy as np
 
 from hugoniot.core.ops import NO_LIMIT
+from hugoniot.laws.arrays import temperature_array
+from hugoniot.laws.transport.contract import TRANSPORT, longitudinal_viscosity, viscosity
+from hugoniot.problem.terms import transport_of
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive, transmitting
+from hugoniot.solvers.lagrange1d.friction import EXTRAPOLATED
 from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import pulse_value
 
@@ -53,12 +57,33 @@ def renew_gradients(solver) -> None:
 
 
 def signal_rate(solver, zones) -> float:
-    """Largest (c + 2 w) / width of some zones, 1/s, w the viscous speed of a jump as a shock sees it: for the first step and impacts."""
+    """Largest (c + 2 w + 4 nu/width) / width of some zones, 1/s: for the first step and impacts.
+
+    w is the viscous speed of a jump as a shock sees it, nu the physical kinematic viscosity.
+    """
     problem = solver.problem
     left, right = solver.faces(H.r)
     ul, ur = solver.faces(H.u)
     jump = np.maximum(ul - ur, 0.0)[zones]
     fronts = np.array([reactive.front_speed(problem, region) for region in problem.regions])
     speed = np.maximum(solver.zones[Z.c, zones], fronts[solver.region_of[zones]]) + (16.0 if solver.staggered else 4.0) * jump
-    rate = float(np.max(speed / (right - left)[zones]))
+    width = (right - left)[zones]
+    rate = float(np.max((speed + EXTRAPOLATED * kinematic_viscosities(solver, zones) / width) / width))
     return rate if rate > 0.0 else 1e3 / problem.stop_time
+
+
+def kinematic_viscosities(solver, zones) -> np.ndarray:
+    """(4/3 mu + zeta)/rho of some zones as they are, m^2/s; 0 where a material has no physical viscosity."""
+    problem, found = solver.problem, np.zeros(len(zones))
+    for k in np.unique(solver.region_of[zones]):
+        name = problem.regions[k].material
+        own = transport_of(problem.transport[name]) if name in problem.transport else None
+        if own is None or own.shear is None:
+            continue
+        here = solver.region_of[zones] == k
+        rho, e = (solver.zones[row, zones[here]] for row in (Z.rho, Z.e))
+        warm = "needs_temperature" in TRANSPORT.of(own.shear).flags
+        heat = temperature_array(rho, e, problem.materials[name].eos) if warm else np.zeros_like(rho)
+        mu = np.array([viscosity(*state, own.shear) for state in zip(rho, heat)])
+        found[here] = longitudinal_viscosity(mu, own) / rho
+    return found
