@@ -41,11 +41,14 @@ def misnamed(problem: Problem) -> list[tuple[tuple, str, str]]:
 
 
 def with_automatic_gauges(problem: Problem) -> Problem:
-    """The problem with a gauge on both sides of every interface gauge, and on every free end that has none.
+    """The problem with gauges at coordinates of faces on these faces, with one on both sides of every interface gauge, and one on every
+    free end that has none.
 
     The latter is what a velocity interferometer would look at. Only plates (planar bodies) have such an end on both sides; a shell has
     its outer one. Gauges that are there already are not added again, so that the problem found is its own.
     """
+    placed = tuple(dataclasses.replace(gauge, at=place_name(gauge.at, problem.regions)) for gauge in problem.gauges)
+    problem = dataclasses.replace(problem, gauges=placed)
     names = {gauge.name for gauge in problem.gauges}
     gauges: list[Gauge] = []
     for gauge in problem.gauges:

@@ -64,9 +64,11 @@ def test_the_name_of_an_automatic_gauge_belongs_to_its_place(name, at):
                                        ("0.999999 m", 0.999999)))
 def test_a_gauge_given_by_the_coordinate_of_a_face_is_on_that_face(at, place):
     """At an interface it would otherwise give the density and temperature of the right-hand body as those of both."""
-    found = read_deck_text(DECK.replace('at = "a/2nd"', f'at = "{at}"')).problem.gauges
-    assert found[0] == Gauge("contact", place)
-    assert ("contact left" in {gauge.name for gauge in found}) == (place == "a/2nd")
+    found = read_deck_text(DECK.replace('at = "a/2nd"', f'at = "{at}"')).problem
+    assert found.gauges[0] == Gauge("contact", place)
+    own = dataclasses.replace(found, gauges=(Gauge("contact", float(at.split()[0])),))      # of a Problem made in Python as well
+    assert completed(own) == found
+    assert ("contact left" in {gauge.name for gauge in found.gauges}) == (place == "a/2nd")
 
 
 def test_free_ends_and_both_sides_of_interfaces_are_gauged():
