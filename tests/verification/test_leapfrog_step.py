@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.materials.material import Material
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, Pulse, Region, SolverOptions
 from hugoniot.simulate import make_solver
@@ -60,3 +61,15 @@ def test_a_weak_pulse_is_damped_by_the_viscosity_and_not_by_the_step():
     assert pulse("wilkins", linear=0.5) == pytest.approx(0.974, abs=2e-3)
     assert pulse("wilkins", linear=0.0) == pytest.approx(1.0, abs=6e-3)
     assert pulse("compatible") == pytest.approx(1.0, abs=2e-3)
+
+
+def test_the_first_kick_lasts_half_of_the_first_step():
+    """A pressure on a plate for 1 ns in steps of 0.1 ns, where sound would allow 2 ns at first: the impulse is p t less half a step."""
+    region = Region("gas", "gas", 0.0, 0.1, 4, density=1000.0)
+    push = Boundary("pressure", Pulse("constant", 1e6))
+    problem = Problem("kick", "planar", 1e-9, (region,), {"gas": Material("gas", MieGruneisen(1000.0, 1500.0, 1.5, 1.0))}, left=push,
+                      solver=SolverOptions(integrator="wilkins", largest_step=1e-10), output=OutputOptions(report=False))
+    solver = make_solver(problem)
+    while solver.time < 1e-9:
+        solver.march(1e-9, 100)
+    assert solver.exchanges()["impulse_left"] == pytest.approx(1e6 * 0.95e-9, rel=1e-9)

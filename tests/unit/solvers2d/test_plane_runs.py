@@ -12,7 +12,8 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.materials.material import Material
-from hugoniot.problem.plane.model import VelocityField
+from hugoniot.problem.model import Pulse
+from hugoniot.problem.plane.model import Boundary2D, VelocityField
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
 from hugoniot.solvers.lagrange2d.zone_shapes import areas
@@ -92,3 +93,10 @@ def test_the_overshoot_of_a_shock_that_forms_is_not_what_drives_a_material():
     block = box(20, 2, 1e-2, 1e-3, material="cu", velocity=VelocityField((-3000.0, 0.0)))
     solver = ran(problem(block, copper, 0.4 * 1e-2 / (3940.0 + 1.489 * 3000.0), walls("b.left", "b.bottom", "b.top")))
     assert solver.largest_velocity_jump()["cu"] == pytest.approx(3000.0, rel=0.015)
+
+
+def test_a_pressure_pulse_shorter_than_a_step_has_its_whole_impulse():
+    """10 GPa for 3 ns on 6 mm, in steps of 50 ns; at the middle of a step it was missed."""
+    push = Boundary2D(("body.left",), "pressure", Pulse("square", 1e10, 1e-6, 3e-9))
+    solver = ran(problem([box(8, 4, 8e-3, 6e-3, name="body", material="al")], aluminium(), 1.3e-6, (push, *walls("body.bottom", "body.top"))))
+    assert solver.exchanges()["impulse_x body.left"] == pytest.approx(30.0 * 6e-3, rel=1e-9)

@@ -1,17 +1,17 @@
 """Motion of the nodes of one segment by both integrators, and what the boundaries do."""
 
-import math
 from typing import Any, NamedTuple
 
 import numba as nb
 
 from hugoniot.core.binder import only_if
 from hugoniot.core.passes import kind_of, rows_apart, zone_pass
-from hugoniot.core.target import BY_ADDRESS, GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.mesh.line import area, hoops
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.field import field_at
 from hugoniot.solvers.lagrange1d.layout import H, Z
+from hugoniot.solvers.lagrange1d.pulses import pulse_mean, pulse_value
 from hugoniot.solvers.lagrange1d.ring import ring_pull
 from hugoniot.solvers.lagrange1d.transmitting import follow, settle
 
@@ -80,36 +80,11 @@ class OpenEnd(End):
 
 
 # -- boundaries --------------------------------------------------------------------------------------------------------
-@nb.njit(**GUARD)
-def pulse_value(time, pulse, table):
-    """Value of a boundary's pulse; `pulse` = (shape code, amplitude, start, duration), `table` = (times; values)."""
-    shape, amplitude, since, duration = int(pulse[0]), pulse[1], time - pulse[2], pulse[3]
-    if shape == 1:
-        times, values = table[0], table[1]
-        if time <= times[0]:
-            return values[0]
-        for k in range(1, times.shape[0]):
-            if time < times[k]:
-                return values[k - 1] + (values[k] - values[k - 1]) * (time - times[k - 1]) / (times[k] - times[k - 1])
-        return values[-1]
-    if since < 0.0:
-        return 0.0
-    if shape == 0:
-        return amplitude
-    if shape == 2:
-        return amplitude * math.exp(-since / duration)
-    if shape == 3:
-        return amplitude * math.sin(math.pi * since / duration) if since < duration else 0.0
-    if shape == 4:
-        return amplitude if since < duration else 0.0
-    return amplitude * min(since / duration, 1.0)
-
-
 @nb.njit(**BY_ADDRESS)
-def outside_stress(code, time, end, control, pulse, table):
-    """Stress that a boundary applies, Pa, before what a transmitting one adds as its velocity changes."""
+def outside_stress(code, begin, close, end, control, pulse, table):
+    """Stress that a boundary applies between two times, Pa, before what a transmitting one adds as its velocity changes."""
     if code == L.PRESSURE:
-        return pulse_value(time, pulse, table)
+        return pulse_mean(begin, close, pulse, table)
     return control[end + L.OUTSIDE] + control[end + L.LEAD] if code == L.TRANSMITTING else 0.0
 
 
@@ -170,7 +145,7 @@ def follow_end(zones, nodes, control, ends, left, dt, boundary):
     extrapolated with its acceleration, an end whose velocity jumps would go on past it."""
     node, zone, code = ends
     if code == L.VELOCITY:
-        nodes[H.u_mean, node] = 0.5 * (nodes[H.u, node] + pulse_value(control[L.TIME] + dt, boundary.pulse, boundary.table))
+        nodes[H.u_mean, node] = pulse_mean(control[L.TIME], control[L.TIME] + dt, boundary.pulse, boundary.table)
     elif code == L.TRANSMITTING:
         answer(zones, control, zone, L.END_LEFT if left else L.END_RIGHT, dt, boundary)
 
@@ -192,19 +167,20 @@ def end_node(zones, nodes, control, ends, left, dt, boundary, geometry):
         if code == L.PERIODIC:
             new = u + dt * ring_pull(zones, nodes, control, True, boundary)
         outer = (new - u) / (dt * inverse) - inner
+        mean = pulse_mean(time, time + dt, pulse, table) if code == L.VELOCITY else 0.5 * (u + new)
     else:
         end = L.END_LEFT if left else L.END_RIGHT
         impedance = control[end + L.IMPEDANCE] if code == L.TRANSMITTING else 0.0
-        push = -sign * face * outside_stress(code, time + 0.5 * dt, end, control, pulse, table)
+        push = -sign * face * outside_stress(code, time, time + dt, end, control, pulse, table)
         new = opposed(u, inverse * (inner + push), dt, inverse * face, impedance)
-        outer = push - impedance * face * 0.5 * (new - u)
+        outer, mean = push - impedance * face * 0.5 * (new - u), 0.5 * (u + new)
         if code == L.TRANSMITTING:
             hold(zones, nodes, control, ends, end, new - u, dt, geometry, boundary)
-    mean = 0.5 * (u + new)
     nodes[H.u_mean, node] = mean
     nodes[H.u, node] = new
     nodes[H.r, node] = r + dt * mean
-    book(control, left, dt * outer * mean, dt * outer)
+    # a history that bends within the step moves the end by its mean, but accelerates it from end to end
+    book(control, left, dt * outer * mean + (new - u) * (0.5 * (u + new) - mean) / inverse, dt * outer)
     jump = abs(new - u)
     if (code == L.VELOCITY or code == L.PRESSURE) and jump > SUDDEN * zones[Z.c, zone]:
         # the shock is not seen by its viscous pressure yet: the next step is chosen as for an impact (`start.signal_rate`)
@@ -225,7 +201,7 @@ def leap_end(zones, nodes, control, ends, left, dts, boundary, geometry):
     pull += field_at(nodes[H.r, node], field)
     face, mass = area(nodes[H.r, node], geometry), nodes[H.mass, node]
     if code == L.FIXED or code == L.VELOCITY or code == L.PERIODIC:
-        new = 0.0 if code == L.FIXED else pulse_value(time + 0.5 * dt, pulse, table)
+        new = 0.0 if code == L.FIXED else pulse_mean(time, time + dt, pulse, table)
         if code == L.PERIODIC:
             new = u + dt_mean * ring_pull(zones, nodes, control, False, boundary)
         outer = mass * ((new - u) / dt_mean - sign * zones[Z.sigma, zone] * per_stress - pull)
@@ -234,7 +210,8 @@ def leap_end(zones, nodes, control, ends, left, dts, boundary, geometry):
         if code == L.TRANSMITTING:
             answer(zones, control, zone, end, dt_mean, boundary)
             impedance = control[end + L.IMPEDANCE]
-        outside = outside_stress(code, time, end, control, pulse, table)
+        close = time + 0.5 * dt
+        outside = outside_stress(code, close - dt_mean, close, end, control, pulse, table)
         new = opposed(u, sign * (zones[Z.sigma, zone] - outside) * per_stress + pull, dt_mean, per_stress, impedance)
         outer = -sign * face * (outside + sign * impedance * 0.5 * (new - u))
         if code == L.TRANSMITTING:

@@ -6,8 +6,8 @@ import numpy as np
 
 from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d import nodes
 from hugoniot.solvers.lagrange1d.layout import Z
+from hugoniot.solvers.lagrange1d.pulses import pulse_value
 
 
 def probe_tables(solver):
@@ -52,7 +52,7 @@ def applied_stress(solver, times):
     for zone, f, boundary in ends:
         here = (solver.gauges[:, 2] == zone) & (solver.weights[:, 1] == f)
         if here.any() and _surface(solver, zone, f) == L.PRESSURE:
-            found[:, here] = np.array([nodes.pulse_value(t, boundary.pulse, boundary.table) for t in times])[:, None]
+            found[:, here] = np.array([pulse_value(t, boundary.pulse, boundary.table) for t in times])[:, None]
     return found
 
 

@@ -9,7 +9,6 @@ radius).
 Source: Herrmann 2.3 and 2.4 (body force), 2.16 and 2.18 (energy supply).
 """
 
-import math
 from collections import namedtuple
 from typing import Any, NamedTuple
 
@@ -23,7 +22,8 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.assemble import history
 from hugoniot.solvers.lagrange1d.field import field_at
 from hugoniot.solvers.lagrange1d.layout import H, Z
-from hugoniot.solvers.lagrange1d.nodes import add_impulse, pulse_value
+from hugoniot.solvers.lagrange1d.nodes import add_impulse
+from hugoniot.solvers.lagrange1d.pulses import pulse_integral
 
 NO_FORCE = -1.0    # code of the shape of no pulse
 STIFFEST = 6.0     # c^2 over the energy of what has been heated: Gamma (Gamma + 1) of Gamma = 2, above any gas
@@ -135,33 +135,6 @@ def supply(s, e, half: bool = False) -> None:
 
 
 # -- in a march --------------------------------------------------------------------------------------------------------
-@nb.njit(**BY_ADDRESS)
-def pulse_integral(time, pulse, table):
-    """Integral of `nodes.pulse_value` from some fixed time up to `time`."""
-    shape, amplitude, since, duration = int(pulse[0]), pulse[1], time - pulse[2], pulse[3]
-    if shape == 1:
-        times, values = table[0], table[1]
-        if time <= times[0]:
-            return values[0] * (time - times[0])
-        total = 0.0
-        for k in range(1, times.shape[0]):
-            if time < times[k]:
-                return total + 0.5 * (values[k - 1] + pulse_value(time, pulse, table)) * (time - times[k - 1])
-            total += 0.5 * (values[k - 1] + values[k]) * (times[k] - times[k - 1])
-        return total + values[-1] * (time - times[-1])
-    if since < 0.0:
-        return 0.0
-    if shape == 0:
-        return amplitude * since
-    if shape == 2:
-        return -amplitude * duration * math.expm1(-since / duration)
-    if shape == 3:
-        return amplitude * duration / math.pi * (1.0 - math.cos(math.pi * min(since / duration, 1.0)))
-    if shape == 4:
-        return amplitude * min(since, duration)
-    return amplitude * (0.5 * since * since / duration if since < duration else since - 0.5 * duration)
-
-
 @nb.njit(**BY_ADDRESS)
 def heated_step(nodes, control, segments, supply):
     """Shorten the time step where the heat of a source would make a zone so hot that sound crosses it; amounts are set for it."""

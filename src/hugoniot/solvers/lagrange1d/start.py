@@ -10,7 +10,7 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive, transmitting
 from hugoniot.solvers.lagrange1d.friction import EXTRAPOLATED
 from hugoniot.solvers.lagrange1d.layout import H, Z
-from hugoniot.solvers.lagrange1d.nodes import pulse_value
+from hugoniot.solvers.lagrange1d.pulses import pulse_value
 
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
@@ -43,7 +43,7 @@ def plan_first_step(solver) -> None:
     control[L.RATE] = signal_rate(solver, np.arange(solver.zones.shape[1]))
     first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
     control[L.DT_NATURAL] = first / control[L.GROWTH]
-    control[L.DT] = control[L.DT_OLD] = first if solver.staggered else 0.0
+    control[L.DT] = control[L.DT_OLD] = 0.0     # the leapfrog leaps from velocities at t = 0 to those half a step later
     solver.nodes[H.u_mean] = solver.nodes[H.u]     # no acceleration is known yet
     renew_gradients(solver)
 

@@ -30,8 +30,9 @@ from hugoniot.solvers.lagrange1d.at_nodes import fail_at_nodes
 from hugoniot.solvers.lagrange1d.conduction import conduct
 from hugoniot.solvers.lagrange1d.field import AMOUNT
 from hugoniot.solvers.lagrange1d.layout import H, Z
-from hugoniot.solvers.lagrange1d.nodes import add_impulse, end_node, end_pull, follow_end, leap_end, pulse_value
+from hugoniot.solvers.lagrange1d.nodes import add_impulse, end_node, end_pull, follow_end, leap_end
 from hugoniot.solvers.lagrange1d.plan import ADVANCE, AHEAD, CORRECT, DRIFT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, gather
+from hugoniot.solvers.lagrange1d.pulses import pulse_mean
 from hugoniot.solvers.lagrange1d.ring import mix_seam, ring_ghosts, seam_flux
 from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step
 from hugoniot.solvers.lagrange1d.terms import Marching
@@ -209,9 +210,11 @@ def begin_terms(a, scheme, terms):
     """Force and heat of the step that begins, and the time step they allow."""
     if terms.supply.sums.shape[0] > 0:
         heated_step(a.nodes, a.control, a.segments, terms.supply)
-    if terms.force.pulse[0] >= 0.0:     # in the middle of the step, or at its start where velocities stand half a step behind
-        time = a.control[L.TIME] + (0.0 if scheme.staggered else 0.5 * a.control[L.DT])
-        terms.force.field[AMOUNT] = pulse_value(time, terms.force.pulse, terms.force.table)
+    if terms.force.pulse[0] >= 0.0:     # over the step, or the mean step about its start where velocities stand half a step behind
+        dt = a.control[L.DT]
+        close = a.control[L.TIME] + (0.5 * dt if scheme.staggered else dt)
+        begin = close - (0.5 * (dt + a.control[L.DT_OLD]) if scheme.staggered else dt)
+        terms.force.field[AMOUNT] = pulse_mean(begin, close, terms.force.pulse, terms.force.table)
 
 
 @only_if(lambda terms: terms is Marching)

@@ -120,7 +120,7 @@ def hold_specials(run, options, time, dt, span):
     a, b = between(run.before, bands.HELD, last, top, lag, run.held.shape[0])
     held, normals = run.held[a:b], run.held_normals[a:b]
     pulses, geometry = (run.pulses, run.tables), (options.kind, options.near)
-    special_nodes.load(run.nodes, run.middle, loads, given, pulses, run.ends, time + 0.5 * dt, geometry)
+    special_nodes.load(run.nodes, run.middle, loads, given, pulses, run.ends, (time, time + dt), geometry)
     special_nodes.exchange(run.nodes, run.starts, run.members)
     special_nodes.free_motion(run.nodes, run.middle, special, dt, (options.gx, options.gy))
     special_nodes.transmit(run.nodes, run.gates, run.gate_normals, run.chains, dt)

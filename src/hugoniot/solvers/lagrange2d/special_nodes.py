@@ -10,7 +10,7 @@ import numba as nb
 from hugoniot.core.passes import rows
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange1d.layout import LEAD, OUTSIDE
-from hugoniot.solvers.lagrange1d.nodes import pulse_value
+from hugoniot.solvers.lagrange1d.pulses import pulse_mean, pulse_value
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
 
@@ -34,9 +34,10 @@ def edge_force(x1, y1, x2, y2, kind, near):
 
 
 @nb.njit(**BY_ADDRESS)
-def load(nodes, middle, loads, given, pulses, ends, time, geometry):
+def load(nodes, middle, loads, given, pulses, ends, step, geometry):
     """Add the pressure on loaded edges to the forces of their nodes, and keep it in `given` (edge, 4) for the booking of its work.
 
+    It is the mean over a `step`, the times of its beginning and end.
     A transmitting edge, of pulse -1 - its number, has the stress outside and the lead of `ends`; what the motion adds is `transmit`.
     """
     n = rows(L.Nodes, nodes, 0)
@@ -49,7 +50,7 @@ def load(nodes, middle, loads, given, pulses, ends, time, geometry):
         if pulse < 0:
             pressure = ends[-1 - pulse, OUTSIDE] + ends[-1 - pulse, LEAD]
         else:
-            pressure = pulse_value(time, numbers[pulse], tables[pulse])
+            pressure = pulse_mean(step[0], step[1], numbers[pulse], tables[pulse])
         push = -sign * pressure
         for k in range(4):
             given[i, k] = push * force[k]

@@ -10,7 +10,7 @@ import math
 import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS, INLINE
-from hugoniot.solvers.lagrange1d.nodes import pulse_value
+from hugoniot.solvers.lagrange1d.pulses import pulse_value
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact import layout as C
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from hugoniot.problem.plane.contact_model import Contact2D, centre_of, inertia_of
 from hugoniot.problem.plane.model import Problem2D
-from hugoniot.solvers.lagrange1d.nodes import pulse_value
+from hugoniot.solvers.lagrange1d.pulses import pulse_value
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N
 from hugoniot.solvers.lagrange2d.boundaries import Pulses
