@@ -8,6 +8,7 @@ import numpy as np
 from hugoniot.laws.eos.contract import is_condensed, reference_state, sound_speed_squared
 from hugoniot.materials.plausible import unlikely
 from hugoniot.materials.validity import beyond, impact, range_of
+from hugoniot.mesh.line import graded_nodes
 from hugoniot.problem.model import Problem
 from hugoniot.problem.profiles import LIGHT, end_velocities
 from hugoniot.problem.starting import start_at_ends
@@ -24,6 +25,7 @@ LONGEST_STEP = {"compatible": 0.7, "wilkins": 0.8}
 LONGEST_STEP_IN_PLANE = 0.4
 UNDERSHOOT = 0.40        # of a sudden drop of the pressure: that of the last zone in a chain of zones with a linear law
 ALIKE = 1e-6             # of a speed: what two blocks that share nodes may differ by
+SHORT = ("exponential", "half_sine", "square")      # pulses that end
 NOISE = 1e-4             # of rho c^2: a tension that no interface opens under
 
 
@@ -45,7 +47,7 @@ def advice(problem: Problem) -> list[str]:
                          "when waves cross; choose zone_size or ratio so that neighbouring zones have similar masses")
     if problem.solver.kind == "lagrange1d":
         found += _undershoots(problem, starts)
-        found += _long_steps(problem.solver.courant, LONGEST_STEP[problem.solver.integrator])
+        found += _long_steps(problem.solver.courant, LONGEST_STEP[problem.solver.integrator]) + _short_pulses(problem)
     return found + advice_on_speeds(problem)
 
 
@@ -70,6 +72,22 @@ def _undershoots(problem: Problem, starts: list) -> list[str]:
         if tension > NOISE * rho * sound_speed_squared(rho, e, eos):
             found.append(f"'{region.name}' starts at {format_si(high, 'Pa')} beside {format_si(low, 'Pa')}: its sudden release undershoots "
                          f"by up to about {UNDERSHOOT:.0%} of the difference; tension up to {format_si(tension, 'Pa', 3)} may be numerical")
+    return found
+
+
+def _short_pulses(problem: Problem) -> list[str]:
+    """Ends driven for a shorter time than sound takes to cross the zone beside them."""
+    found = []
+    for side, boundary, region, k in (("left", problem.left, problem.regions[0], 0), ("right", problem.right, problem.regions[-1], -1)):
+        eos, pulse = problem.materials[region.material].eos, boundary.pulse
+        if eos is None or pulse is None or pulse.shape not in SHORT:
+            continue
+        width = float(np.diff(graded_nodes(region.start, region.end, region.zones, region.ratio))[k])
+        sound = float(np.sqrt(max(sound_speed_squared(*reference_state(eos), eos), 0.0)))
+        if 0.0 < pulse.duration * sound < width:
+            found.append(f"the {side} boundary is driven for {format_si(pulse.duration, 's', 3)}, but sound takes "
+                         f"{format_si(width / sound, 's', 3)} to cross the zone beside it, over which its stress is spread and too low; "
+                         f"use zones of {format_si(0.1 * pulse.duration * sound, 'm', 2)} there, ten in the length of the pulse")
     return found
 
 

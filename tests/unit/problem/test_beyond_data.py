@@ -95,3 +95,12 @@ def test_an_impact_that_drives_only_the_lighter_body_beyond_its_data_names_it():
     up = validity.impact(copper, aluminium, 6000.0)
     assert up[0] < copper.valid_up_to and 3000.0 < aluminium.valid_up_to < up[1]
     assert len(told) == 1 and "'a' hits 'b' at 6000 m/s, which drives 'aluminum_2024'" in told[0]
+
+
+@pytest.mark.parametrize("duration, short", [("19 ns", True), ("20 ns", False)])
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_a_pulse_that_its_zone_cannot_show_is_warned_of(side, duration, short):
+    """Sound of 5200 m/s crosses 0.1 mm in 19.23 ns."""
+    pulse = f'{{pressure = {{shape = "square", amplitude = "1 GPa", duration = "{duration}"}}}}'
+    warned = [text for text in read_deck_text(FAST.format(velocity=0) + SOLID + f"[boundary]\n{side} = {pulse}\n").warnings if "is driven for" in text]
+    assert len(warned) == short and all(f"the {side} boundary" in text and "takes 19.2 ns" in text for text in warned)
