@@ -124,13 +124,18 @@ class Plan:
         for key in first:
             _check_place(question.raw, key, option)
         question.read({})       # the deck itself has to be sound
+        try:
+            question.read(first)
+            return
+        except DeckError as error:
+            wrong = {problem.key for problem in error.problems}
         for key, value in first.items():
             try:
                 question.read({key: value})
             except DeckError as error:
-                own = [problem for problem in error.problems if problem.key == key or problem.key.startswith(f"{key}.")
-                       or key.startswith(f"{problem.key}.")]
-                if own:     # others may come of a change that is made alone here
+                own = [problem for problem in error.problems if problem.key in wrong and (
+                    problem.key == key or problem.key.startswith(f"{key}.") or key.startswith(f"{problem.key}."))]
+                if own:     # others come of a change that is made alone here
                     raise DeckError(own) from None
 
 

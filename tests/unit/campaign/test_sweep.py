@@ -167,6 +167,13 @@ def test_a_tie_without_a_value_is_a_failing_case(deck, tmp_path, inline):
     assert found.table.reasons == ("tie: '500 m/s / (x - 1)' does not give a finite number", "")
 
 
+def test_a_tied_face_may_move_inwards(deck, tmp_path, inline):
+    """Thinner than in the deck, the flyer ends where the target begins; with the change of the target alone they would overlap."""
+    tie = ["region.target.from = region.flyer.to", "region.target.to = region.flyer.to + 4 mm"]
+    found = swept(deck, tmp_path / "s", inline, vary=["region.flyer.to = 1.5, 2 mm"], tie=tie)
+    assert found.table.reasons == ("", "")
+
+
 def test_full_runs_are_kept_where_asked(deck, tmp_path, inline):
     out = tmp_path / "s"
     table = swept(deck, out, inline, vary=["region.flyer.velocity = 500, 700 m/s"], keep=True).table
