@@ -24,7 +24,7 @@ from hugoniot.diagnostics.velocimetry import (
     spall_thickness,
 )
 from hugoniot.output.run import largest_value
-from hugoniot.output.spall_records import Record, called, ends, hit_regions, records, spalled_regions, struck, surface_record
+from hugoniot.output.spall_records import Record, called, ends, hit_regions, records, separated, spalled_regions, struck, surface_record
 from hugoniot.units import format_si
 
 LEAST_SIGNAL = 0.4      # part of Z (u1 - u2) that the correction for a window must leave: errors of a velocity grow by its inverse
@@ -117,7 +117,8 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
     if window is not None and not np.isfinite(window.get("s", np.nan)):
         return Reading(reason=f"the impedance of {called(run.setup, record.window)} is not known", record=record, found=found)
     body = constants_of(run, record.region)
-    numbers = reading_of(before.time, before.velocity, found, body, window, record.start)
+    held = window is not None and separated(run, record) > found.minimum_time
+    numbers = reading_of(before.time, before.velocity, found, body, window, record.start, held)
     if window and body:
         signal = body["rho0"] * body["c_bulk"] * found.drop
         left = 2.0 * numbers["spall_strength_acoustic"] / signal
@@ -184,10 +185,11 @@ def _missed(record: Record, found: PullBack) -> float:
     return float((record.velocity[k - 1] - record.velocity[k]) * after / before / found.drop)
 
 
-def reading_of(time, velocity, found: PullBack, constants: dict, window: dict | None = None, start: float = 0.0) -> dict[str, float]:
+def reading_of(time, velocity, found: PullBack, constants: dict, window: dict | None = None, start: float = 0.0,
+               held: bool = True) -> dict[str, float]:
     """The numbers of a reading from a record, its pull-back and the constants of `constants_of` (of the body, and of its window).
 
-    start is the velocity of the surface before the first wave, m/s.
+    start is the velocity of the surface before the first wave, m/s; held whether the window still touches the body at the minimum.
     """
     result = {"peak_velocity": found.peak, "pull_back": found.drop, "minimum_time": found.minimum_time}
     # a ripple on the tops of the ringing is no minimum
@@ -198,7 +200,7 @@ def reading_of(time, velocity, found: PullBack, constants: dict, window: dict | 
     if not constants:
         return result
     rho0, c_bulk, c_long = constants["rho0"], constants["c_bulk"], constants["c_long"]
-    result["spall_strength_acoustic"] = through_window(found.peak - start, found.minimum - start, rho0 * c_bulk, window)
+    result["spall_strength_acoustic"] = through_window(found.peak - start, found.minimum - start, rho0 * c_bulk, window, held)
     if c_long > c_bulk and not window:
         result["spall_strength_stepanov"] = spall_strength(found.drop, rho0, c_bulk, c_long)
     if np.isfinite(period):
@@ -207,14 +209,15 @@ def reading_of(time, velocity, found: PullBack, constants: dict, window: dict | 
             lost = kanel_correction(time, velocity, found, thickness, c_bulk, c_long)
             result["pull_back_lost"] = lost
             if lost <= LARGEST_LOSS * found.drop:
-                result["spall_strength_kanel"] = through_window(found.peak - start, found.minimum - start - lost, rho0 * c_bulk, window)
+                result["spall_strength_kanel"] = through_window(found.peak - start, found.minimum - start - lost, rho0 * c_bulk, window,
+                                                                held)
     return result
 
 
-def through_window(peak: float, minimum: float, impedance: float, window: dict | None = None) -> float:
+def through_window(peak: float, minimum: float, impedance: float, window: dict | None = None, held: bool = True) -> float:
     """Spall strength (Pa) from the velocities at peak and minimum (m/s, relative to that before the first wave), the body's impedance
-    (kg/m2/s) and the window's constants."""
-    held = 0.0
-    for velocity in (peak, minimum) if window else ():
-        held += window["rho0"] * (window["c_bulk"] + window["s"] * abs(velocity)) * velocity
-    return 0.5 * (impedance * (peak - minimum) - held)
+    (kg/m2/s) and the window's constants. A window that has separated before the minimum (held = False) carries no stress there."""
+    carried = 0.0
+    for velocity in ((peak, minimum) if held else (peak,)) if window else ():
+        carried += window["rho0"] * (window["c_bulk"] + window["s"] * abs(velocity)) * velocity
+    return 0.5 * (impedance * (peak - minimum) - carried)

@@ -170,10 +170,20 @@ def first(velocity) -> float:
 
 def struck(run, record: Record) -> float:
     """When a free surface met the region ahead of it, s; inf if it never did."""
-    rows, pair = run.arrays("events"), {record.region, record.ahead}
-    met = [float(time) for kind, text, time in zip(rows["kind"], rows["text"], rows["time"])
-           if kind == "void_closed" and record.ahead and set(re.findall(r"'(.*?)'", str(text))) == pair]
-    return min(met, default=float("inf"))
+    return _first_event(run, record.region, record.ahead, ("void_closed",))
+
+
+def separated(run, record: Record) -> float:
+    """When an interface first opened between a region and its window, s; inf if it never did."""
+    return _first_event(run, record.region, record.window, ("interface_separated", "void_opened"))
+
+
+def _first_event(run, one: str, other: str, kinds: tuple[str, ...]) -> float:
+    """When one of these events first happened between two regions, s; inf if it never did, or there is no other region."""
+    rows = run.arrays("events")
+    found = [float(time) for kind, text, time in zip(rows["kind"], rows["text"], rows["time"])
+             if kind in kinds and other and set(re.findall(r"'(.*?)'", str(text))) == {one, other}]
+    return min(found, default=float("inf"))
 
 
 def spalled_regions(run) -> dict[str, float]:

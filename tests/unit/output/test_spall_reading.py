@@ -26,7 +26,7 @@ from hugoniot.output.compare import compare
 from hugoniot.output.run_numbers import gauge_rows, highest, highest_rows, is_lower_bound, spall_numbers
 from hugoniot.output.setup_record import setup_record
 from hugoniot.output.spall_reading import constants_of, read_record, reading_of, spall_reading, through_window
-from hugoniot.output.spall_records import called, hit_regions, records, spalled_regions, struck, surface_record
+from hugoniot.output.spall_records import Record, called, hit_regions, records, separated, spalled_regions, struck, surface_record
 from hugoniot.plotting.records import free_surface as free_surface_velocity
 from hugoniot.problem import catalogue
 from hugoniot.problem.deck import read_deck_text
@@ -173,6 +173,17 @@ def test_a_window_is_corrected_by_the_two_characteristics():
     minimum = rightward / (window + body)
     assert through_window(peak, minimum, body, held) == pytest.approx(STRENGTH, rel=1e-12)
     assert through_window(peak, peak - 50.0, body) == pytest.approx(0.5 * body * 50.0, rel=1e-12)
+    apart = rightward / body                               # a window that has separated before the minimum carries nothing there
+    assert through_window(peak, apart, body, held, held=False) == pytest.approx(STRENGTH, rel=1e-12)
+
+
+def test_a_window_that_has_separated_is_known_by_its_event():
+    events = {"kind": ["void_opened", "interface_separated", "interface_separated"], "time": [1e-6, 2e-6, 3e-6],
+              "text": ["void opened in 'target' at 1 m", "interface opened between 'flyer' and 'target' at 0 m",
+                       "interface opened between 'target' and 'window' at 4 m"]}
+    run_of = SimpleNamespace(arrays=lambda name: events)
+    record = Record(np.zeros(1), np.zeros(1), region="target", window="window")
+    assert separated(run_of, record) == 3e-6 and separated(run_of, replace(record, window="")) == np.inf
 
 
 def test_no_strength_is_read_off_the_flyers_rear_or_through_too_stiff_a_window(ran):
