@@ -13,6 +13,7 @@ import pytest
 from pace import PATIENCE, in_starts
 
 from hugoniot.cli import main as front
+from hugoniot.cli.listing import KINDS
 from hugoniot.cli.progress import Lines, Silent, duration, words
 from hugoniot.cli.show import overrides_of
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
@@ -252,3 +253,9 @@ def test_an_application_may_be_built_any_number_of_times():
         front.build_app("eos")
     module = front.module_of("eos")
     assert not any(hasattr(info.callback.__wrapped__, "__wrapped__") for info in module.app.registered_commands)
+
+
+@pytest.mark.parametrize("kind", ["transport", "conduction"])
+def test_list_names_the_table_of_transport_laws_in_the_default_solver(kind):
+    """[solver.transport] is a table of shock_structure; lagrange1d refuses it."""
+    assert "[transport.MATERIAL]" in KINDS[kind] and "shock_structure: [solver.transport]" in KINDS[kind]
