@@ -80,13 +80,17 @@ def _block(rows: list[str]) -> list[str]:
         return [".. code-block:: pycon", "", *(f"   {row}" for row in rows)]
     if any("   " in row.strip() for row in rows):
         return [".. code-block:: text", "", *(f"   {row}" for row in rows)]
+    if rows[0].startswith("$$") and rows[-1].endswith("$$"):
+        return [".. math::", "", *(f"   {row.strip('$')}" for row in rows)]
     return [_plain(" ".join(row.strip() for row in rows))]
 
 
 def _plain(text: str) -> str:
-    """Text in which reStructuredText reads only what stands in backticks, as code."""
-    parts = re.split(r"(`+[^`]+`+)", text)
-    return "".join(f"``{part.strip('`')}``" if k % 2 else re.sub(r"([*|_\\])", r"\\\1", part) for k, part in enumerate(parts))
+    """Text in which reStructuredText reads only what stands in backticks, as code, and between dollar signs, as a formula."""
+    parts = re.split(r"(`+[^`]+`+|\$[^$]+\$)", text)
+    read = [f":math:`{part.strip('$')}`" if part[:1] == "$" else f"``{part.strip('`')}``" for part in parts[1::2]]
+    kept = [re.sub(r"([*|_\\])", r"\\\1", part) for part in parts[::2]]
+    return "".join(part for pair in zip(kept, [*read, ""]) for part in pair)
 
 
 def setup(app):
