@@ -5,7 +5,7 @@ Collapsing shell stopped by its strength
 A cylindrical shell of beryllium moves inwards; its inner surface starts at a radius of 8 cm at 417.1 m/s. Only the yield
 stress of 330 MPa slows the shell down. In the exact solution (Howell and Ball), that of a rigid-plastic incompressible shell,
 all kinetic energy has become plastic work when the inner radius has fallen to 5 cm. The simulation, which includes elasticity
-and compression, stops at 4.98 cm. The problem tests plastic flow and energy conservation in converging geometry.
+and compression, stops at 4.99 cm. The problem tests plastic flow and energy conservation in converging geometry.
 """
 
 import tempfile
