@@ -65,7 +65,7 @@ PURPOSES = {
                     "quadratic equation of state at moderate compression.",
     "shock_lines": "The Rayleigh line of a shock, on which mass and momentum are conserved, and its Fanno line, on which mass and energy "
                    "are. The lines help to interpret the states inside a viscous or conducting shock.",
-    "gurney": "The velocity of a metal plate, cylinder or sphere driven by an explosive, from Gurney's formulas, and the exact motion of "
+    "gurney": "The velocity of a metal plate, cylinder or sphere driven by an explosive, from Gurney's formulas, and the motion of "
               "a plate at the end of a slab of explosive.",
     "fits": "Fits to data: a Us-up relation to shock velocities, a JWL equation of state to a CJ state and an expansion curve, and a "
             "Grüneisen parameter to a shock state.",

@@ -3,8 +3,8 @@ Taylor test: a copper bar strikes a rigid wall
 ==============================================
 
 A copper bar 32.4 mm long and 6.4 mm in diameter strikes a rigid wall at 227 m/s. The foot spreads, a plastic wave runs up the
-bar and stops, and the final length is a measure of the strength. On the finest of four meshes the final length is 21.49 mm and
-the radius of the foot 7.09 mm. On the two finest meshes, with six and eight zones across the radius of the bar, both results
+bar and stops, and the final length is a measure of the strength. On the finest of four meshes the final length is 21.50 mm and
+the radius of the foot 7.06 mm. On the two finest meshes, with six and eight zones across the radius of the bar, both results
 lie within the range of published codes (grey bands).
 """
 

@@ -5,7 +5,7 @@ Cylinder test of Composition B
 A charge 25.4 mm in diameter fills a copper tube and is lit at one end; a streak camera looks through a slit at one section of
 the tube. It records the point where its line of sight meets the wall. Because the wall is inclined and moves along the line of
 sight as well as across it, this point moves about 2 % faster than the metal itself. A gauge with a fixed line of sight gives
-the speed to compare with the record: 1413 m/s after 6 mm of travel and 1607 m/s after 19 mm, 1.9 % above and 1.5 % below the
+the speed to compare with the record: 1411 m/s after 6 mm of travel and 1606 m/s after 19 mm, 1.8 % above and 1.6 % below the
 experiment.
 """
 

@@ -2,9 +2,9 @@ r"""Normal modes of a plane detonation for any law, any mixture and any rate: sm
 
 **Any equation of state, mixture and rate.** The fields are functions of the burn fraction $\lambda$ and time, so that a term of the rate
 that is switched on or off at a given $\lambda$ causes no discontinuity. The rate must be positive at $\lambda = 0$. The material runs
-towards $-x$: $x$ is the distance from the displaced front, and the velocity $u$ is in the frame of the steady front. With
-$r = d\lambda/dt$, $X = \partial x/\partial\lambda$ and the derivative $D/Dt = \partial_t + r\,\partial_\lambda$ along the path of a
-particle,
+towards $-x$: $x$ is the position relative to the displaced front, negative behind it, and the velocity $u$ is in the frame of the steady
+front. With $r = d\lambda/dt$, $X = \partial x/\partial\lambda$ and the derivative $D/Dt = \partial_t + r\,\partial_\lambda$ along the path
+of a particle,
 
 $$\frac{D\rho}{Dt} = -\frac{\rho u_\lambda}X,\quad \frac{Du}{Dt} = -\frac{p_\lambda}{\rho X},\quad
   \frac{Dp}{Dt} = -\rho c^2\frac{u_\lambda}X + \left(\frac{\partial p}{\partial\lambda}\right)_{v,e} r,\quad

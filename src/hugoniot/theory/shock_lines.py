@@ -31,7 +31,7 @@ class ShockLines:
     """Both lines and the Hugoniot at the same densities.
 
     initial, behind                      states ahead of the shock and behind it
-    density                              kg/m3, from the state ahead to 1.1 times the change of specific volume across the shock
+    density                              kg/m3; the specific volume falls from the one ahead by 1.1 times its change across the shock
     rayleigh_pressure, fanno_pressure    Pa
     hugoniot_pressure                    Pa
     rayleigh_energy, fanno_energy        J/kg

@@ -3,8 +3,9 @@ r"""Normal modes of a plane detonation: how fast a small disturbance of the ZND 
 **Ideal gas.** A gas of constant $\gamma$ burns in one step at the rate $r = k(1-\lambda)e^{-E\rho/p}$, with the burn fraction $\lambda$,
 and releases the heat $q$ per mass. Units: $\rho = p = 1$ ahead of the wave; the activation energy $E$ and $q$ are in units of the pressure
 divided by the density ahead, lengths in half-reaction lengths, which fixes $k$. The front is displaced by $\psi = \epsilon e^{\alpha t}$
-with a small $\epsilon$. Let $x$ be the distance from the displaced front, $u$ the velocity in the frame of the steady front, and $w'$ the
-perturbation of the state $w = (\rho, u, p, \lambda)$ at given $x$, per unit of the perturbation $\alpha\psi$ of the front's velocity. Then
+with a small $\epsilon$. Let $x$ be the position relative to the displaced front, negative behind it, $u$ the velocity in the frame of the
+steady front, and $w'$ the perturbation of the state $w = (\rho, u, p, \lambda)$ at given $x$, per unit of the perturbation $\alpha\psi$ of
+the front's velocity. Then
 
 $$A\,w'_x = w^*_x - \alpha w' - \left(\frac{\partial A}{\partial w}w'\right)w^*_x + \frac{\partial R}{\partial w}w'$$
 

@@ -93,7 +93,7 @@ def znd(material, initial: Initial, rate: Rate | Any, *, overdrive: float = 1.0,
     overdrive   (D/D_CJ)^2, at least 1, unless `velocity` is given
     velocity    velocity D of the front, m/s
     points      number of states
-    complete    fraction at which the profile ends, because a first-order rate never reaches 1
+    complete    fraction at which the profile ends, because with a first-order rate the burn fraction never reaches 1
 
     Raises OutOfRange for a velocity below the CJ velocity, a zone that chokes or a rate that never begins, NoSolution for a rate that stops
     inside the zone.

@@ -140,7 +140,7 @@ EOS.add(
     meaning={"rho0": "reference density", "a": "sound speed in the reference state", "b": "stiffness of the isentrope",
              "c": "factor of the fourth-order term", "gamma0": "Grüneisen parameter at the reference density",
              "z": "slope of the Grüneisen parameter with 1 - rho0/rho in compression", "alpha": "exponent of the specific heat",
-             "e0": "energy of the reference state; the heat of detonation if the energies of the products start at zero",
+             "e0": "energy of the reference state; the heat of detonation if the energy of the fully expanded, cold products is zero",
              "specific_heat": "specific heat at constant volume on the principal isentrope",
              "reference_temperature": "temperature of the reference state"},
     defaults={"z": 0.0, "alpha": 0.0, "e0": 0.0, "specific_heat": math.nan, "reference_temperature": 297.0},

@@ -4,8 +4,8 @@ It is included to reproduce results of the KB codes (Field Precision, 2000) for 
 
 $$p = \rho_0\,U_s\,u_p, \qquad u_p = \sqrt{2e}, \qquad U_s = c_0 + s\,u_p + s_2u_p^2$$
 
-The density does not enter (K-E10): the pressure is right on the principal Hugoniot and nowhere else. There is no tension and no elastic
-release. In a zone with $e = 0$ the pressure is zero, so compression does no work on it: only artificial viscosity heats it.
+The density does not enter (K-E10): the pressure is right on the principal Hugoniot and nowhere else. There is no tension. In a zone with $e
+= 0$ the pressure is zero, so compression does no work on it: only artificial viscosity heats it.
 
 The sound speed is $c = (\rho_0/\rho)\sqrt{U_s\,(c_0 + 2su_p + 3s_2u_p^2)}$. With $s_2 < 0$ it is no longer real where the last factor
 vanishes, and a run stops. The slope $\partial p/\partial e$ is infinite at $e = 0$; $u_p$ is therefore at least $10^{-9}$ m/s, which

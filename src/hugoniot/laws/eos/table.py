@@ -1,8 +1,8 @@
 r"""Tabulated equation of state: pressure and energy as functions of density and temperature, for instance from a SESAME file.
 
 A deck gives the table itself, as in the example, or names a file (`file = "copper.h5"`, in CSV, HDF5 or SESAME format). In each cell of
-density and temperature both tables are bilinear. The temperature at given density and energy is found exactly, by bisection for the cell.
-With subscripts for derivatives of the table in $\rho$ and $T$,
+density and temperature both tables are bilinear. At given density and energy the cell is found by bisection, and the temperature in it in
+closed form. With subscripts for derivatives of the table in $\rho$ and $T$,
 
 $$\frac{\partial p}{\partial e}\Big|_\rho = \frac{p_T}{e_T}, \quad
   \frac{\partial p}{\partial\rho}\Big|_e = p_\rho - e_\rho\frac{p_T}{e_T}.$$
@@ -13,8 +13,8 @@ wherever $c^2 < c_m^2$ the slope $\partial p/\partial\rho$ is raised until $c = 
 
 Outside the grid a run extrapolates the nearest cell. The law has no entropy: bilinear tables satisfy the identity $e_v = Tp_T - p$, with
 $v = 1/\rho$, only to the resolution of the table. In a wide cell the temperature may even fall in a weak compression, as it does from the
-reference state of the example; heat conduction then makes a shock thinner. In Python `hugoniot.laws.eos.table.from_law` tabulates any
-law that has a temperature.
+reference state of the example; heat conduction then makes a shock thinner instead of thicker. In Python `hugoniot.laws.eos.table.from_law`
+tabulates any law that has a temperature.
 
 Source: KB codes, section 3 (tables in density and temperature); Lyon and Johnson, LA-UR-92-3407 (1992) (SESAME table 301).
 """

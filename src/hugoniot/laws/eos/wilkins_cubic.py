@@ -15,7 +15,7 @@ state
 $$\rho_0e_S = \sum_{n=1}^3 k_nJ_n, \qquad J_n = \int_0^x y^n e^{\Gamma_0(x-y)}\,dy = \frac{\Gamma_0J_{n+1} + x^{n+1}}{n+1}, \qquad
   J_3 = x^4\sum_{m\ge0}\frac{3!\,(\Gamma_0x)^m}{(m+4)!}.$$
 
-Source: Wilkins, Computer Simulation of Dynamic Phenomena (1999), eq. 3.58; same coefficients in Jordan (2011), eq. 7.1.31.
+Source: Wilkins, Computer Simulation of Dynamic Phenomena (1999), eq. 3.58; Jordan (2011), section 7.1, has the same coefficients.
 """
 
 import math
@@ -107,6 +107,6 @@ EOS.add(
              "reference_temperature": "temperature of the reference state"},
     defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
     box={"rho": (8000.0, 14000.0), "e": (0.0, 5e6)},
-    references=("Wilkins, Computer Simulation of Dynamic Phenomena (1999), eq. 3.58", "Jordan, eq. 7.1.31"),
+    references=("Wilkins, Computer Simulation of Dynamic Phenomena (1999), eq. 3.58", "Jordan 2011, section 7.1"),
     flags=("linear_in_energy",),
 )

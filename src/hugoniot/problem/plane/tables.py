@@ -327,9 +327,9 @@ class SolverTable(Table):
         None, description="cells triangles: whether the two triangles of a cell share one pressure, in materials with strength; "
         "without it triangles are too stiff in plastic flow (default: true)")
     scheme: Literal["true_volume", "area_weighted"] | None = Field(
-        None, description="axisymmetric geometry: true_volume uses forces from virtual work; area_weighted keeps spherical symmetry on "
-        "polar meshes, but bodies cannot meet on the axis (default: area_weighted if all blocks are sectors centred on the axis, else "
-        "true_volume)")
+        None, description="axisymmetric geometry: true_volume does exactly the work p dV and conserves axial momentum; area_weighted keeps "
+        "spherical symmetry on polar meshes, but contact of bodies that reach the axis is refused (default: area_weighted if all blocks "
+        "are sectors centred on the axis, else true_volume)")
     courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] = Field(Solver2D.courant, description="Courant number of the time step")
     growth: Annotated[float, Quantity("1", least=1.0, limit=10.0)] = Field(
         SolverOptions.growth, description="largest ratio of a time step to the one before")

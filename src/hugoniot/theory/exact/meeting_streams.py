@@ -1,4 +1,4 @@
-"""Steady Riemann problem in two dimensions: two supersonic streams that meet, of any two equations of state.
+"""Steady Riemann problem in two dimensions: two supersonic streams that meet, with any two equations of state.
 
 It tests a two-dimensional solver in oblique shocks, fans and slip lines, and gives the deflection of streams of real materials.
 

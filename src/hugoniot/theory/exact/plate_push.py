@@ -1,6 +1,7 @@
-r"""Plates driven by explosives: the exact motion of a plate at the end of a slab of gamma = 3 explosive, and Gurney's formulas.
+r"""Plates driven by explosives: the closed-form motion of a plate at the end of a slab of gamma = 3 explosive, and Gurney's formulas.
 
-The exact motion tests a solver with a detonation that accelerates metal; Gurney's formulas estimate the velocity of driven metal.
+The closed-form motion tests, to about 1 %, a solver with a detonation that accelerates metal; Gurney's formulas estimate the velocity of
+driven metal.
 
 **End-on plate.** A slab of explosive of length $L$ is lit at its free end $x = 0$; a rigid plate of mass $M$ per area lies at $x = L$.
 The charge has the mass $C = \rho_0 L$ per area. For gamma = 3 the characteristics are straight, and behind the front $u + c = x/t$ and $p
