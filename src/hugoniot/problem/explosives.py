@@ -12,13 +12,13 @@ from hugoniot.materials import burning
 from hugoniot.problem.defaults import FOR_PRODUCTS
 from hugoniot.problem.model import Problem
 from hugoniot.problem.write import toml_key
-from hugoniot.theory.chapman_jouguet import cj
+from hugoniot.theory.chapman_jouguet import cj, overdriven
 from hugoniot.theory.hugoniot import Initial
 from hugoniot.units import format_si
 
 # Relative difference of a programmed front's speed from the Chapman-Jouguet one, (slower, faster), without a warning. A faster front lacks
-# sqrt(2 dD/D) of the pressure, 3 %; a slower one gains with every zone crossed: at -1e-4, 7 % after 4000 zones, and at -3.6e-4 zones are
-# crushed after 1700.
+# up to 4 % of the pressure; a slower one gains with every zone crossed: at -1e-4, 7 % after 4000 zones, and at -3.6e-4 zones are crushed
+# after 1700.
 TOLERATED = (-1e-4, 5e-4)
 SAME_DENSITY = 1e-3   # between that of a burn law and that of the region it burns; sets and measured densities differ by less
 CRUSHED = 2.5      # times the starting density: products behind a front do not reach it (CJ 1.4, reflected at a wall 1.8)
@@ -150,7 +150,8 @@ def _idle(material) -> list[str]:
 def _front_advice(problem: Problem, region) -> str | None:
     """Of a programmed front whose speed is not that of the products from the region's own start.
 
-    A faster one leaves a weak detonation, below the CJ pressure; into a slower one the products run, until its zones are crushed.
+    A faster one leaves a weak detonation, below the CJ pressure; a slower one is overtaken by the products, which compress the unburned
+    zones ahead of it until the run stops.
     """
     material, speed = problem.materials[region.material], front_speed(problem, region)
     point = _own_state(material, region) if speed > 0.0 else None
@@ -160,11 +161,20 @@ def _front_advice(problem: Problem, region) -> str | None:
     excess = speed / ideal - 1.0
     if TOLERATED[0] <= excess <= TOLERATED[1]:
         return None
-    effect = ("its zones are compressed from behind and finally crushed" if excess < 0.0 else
-              f"behind it the pressure stays up to {100.0 * (2.0 * excess) ** 0.5:.2g} % below the CJ pressure" if excess < 0.1 else
-              "behind it the pressure stays far below the CJ pressure")
+    effect = ("the products overtake it and compress the unburned zones ahead of it until the run stops" if excess < 0.0 else
+              f"behind it the pressure is {_lacking(material, point, speed)} below the CJ pressure")
     return (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, but its products would drive one at "
             f"{ideal:.5g} m/s (Chapman-Jouguet): {effect}; give burn.detonation_velocity = {ideal:.6g}")
+
+
+def _lacking(material, point, speed: float) -> str:
+    """By how much the pressure of the weak detonation at the `speed` of its front (m/s) is below that of the CJ `point`, in words."""
+    try:
+        weak = overdriven(material.eos, point.initial, branch="weak", shock_velocity=speed)
+    except (HugoniotError, ArithmeticError, ValueError):
+        return "far"
+    part = 1.0 - float(weak.pressure) / float(point.state.pressure)
+    return f"about {100.0 * part:.2g} %" if part < 0.5 else "far"
 
 
 def follows_compression(material) -> bool:

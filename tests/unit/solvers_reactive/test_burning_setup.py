@@ -182,10 +182,10 @@ def test_a_run_tells_how_the_reference_state_was_found(tmp_path):
 def test_a_front_slower_than_its_products_is_told():
     slow = '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\ndetonation_velocity = "7 km/s"'
     warnings = read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region=slow)).warnings
-    assert any("programmed front runs at 7000" in text and "7979" in text and "crushed" in text for text in warnings)
+    assert any("programmed front runs at 7000" in text and "7979" in text and "overtake it" in text for text in warnings)
     published = slow.replace("comp_b", "pbx_9502").replace("7 km/s", "7607.8 m/s")
     fast = read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region=published).replace("comp_b", "pbx_9502")).warnings
-    assert any("7607.8" in text and "4.8 % below the CJ pressure" in text for text in fast)
+    assert any("7607.8" in text and "about 5.6 % below the CJ pressure" in text for text in fast)     # 5.55: roots of p(rho, e) on the Rayleigh line
     assert read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region="")).warnings == ()
     for speed, warned in ((7978.0, True), (7979.5, False), (7983.0, False), (7985.0, True)):     # -0.023, -0.004, 0.039, 0.065 % of 7979.85
         near = read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region=slow.replace("7 km/s", f"{speed} m/s"))).warnings
