@@ -35,6 +35,7 @@ FILE = ("\"The file\" beside a row is the public file from which the row was tak
 RULE = (" The library takes the stated velocity where it is at most {:.2g} % below and at most {:.2g} % above the CJ velocity of the "
         "products, and the CJ velocity otherwise ([reason](../../theory/detonation.md#programmed-burn)).")
 LACKS = "Where an entry says that the library has no data, it means none for this material."
+RECALLED = "Data marked \"not checked\" were quoted from memory of the publication named."
 UNNAMED = re.compile(r"\b[Tt]he file\b(?! [\w-]+\.\w)")     # "the file" without its name
 
 
@@ -194,9 +195,16 @@ def _constants(about: dict) -> list[str]:
                   "it cites ([provenance](../../materials/provenance.md)).", ""]
         if any(UNNAMED.search(source) for source, _ in sources):
             lines[-2] += " \"The file\" in a source is the file from which its numbers were taken."
+        if _quoted(constants):
+            lines[-2] += f" {RECALLED}"
         lines += [f"{k}. {sentence(source)}" + (f" {sentence(where_read(via))}" if via else "")
                   for k, (source, via) in enumerate(sources, 1)] + [""]
     return lines
+
+
+def _quoted(constants: list[dict]) -> bool:
+    """Whether a source of constants was quoted from memory."""
+    return any(c["via"].startswith("recalled") for c in constants)
 
 
 def _idle(constant: dict, constants: list[dict]) -> bool:
@@ -208,8 +216,8 @@ def _idle(constant: dict, constants: list[dict]) -> bool:
 
 def _exponents(constants: list[dict], members: list[int]) -> str:
     """What the exponents in the units of a rate are."""
-    stated = {constants[k]["quantity"].removeprefix("rate.") for k in members}
-    return "y and z are the constants with these names" if "z" in stated else \
+    stated = {constants[k]["quantity"].removeprefix("rate."): constants[k]["value"] for k in members}
+    return "y and z are the constants with these names" if "z" in stated and stated["g2"] else \
         "y is the constant with this name; with G2 = 0 there is no completion term"
 
 
@@ -259,6 +267,8 @@ def _others(about: dict) -> list[str]:
     used = f"; this material uses only {used}" if used else "; this material does not use them"
     unnamed = next((row for row, *_, said in rows if UNNAMED.search(said)), None)
     said = ROWS.format(used=used, use=alone) + (" " + FILE.format(example=unnamed) if unnamed else "")
+    if any(schema.row(o["row"]).status == "recalled" for o in about["others"]) and not _quoted(about["constants"]):
+        said += f" {RECALLED}"
     return ["## Other data", "", said, "",
             *table(["row", "for", "material", "constants", "source and remarks"], rows)]
 
@@ -296,8 +306,9 @@ def index(entries: list, laws: dict[str, dict]) -> str:
              f"available sources, and its page gives the reasons. The library holds {counts['rows']} sets of constants "
              f"(*rows*) from the literature or fitted by hugoniot, and {counts['measured_states']} measured shock states. "
              f"`hugoniot material search` also finds {counts['searchable_materials'] - counts['curated_materials']} other materials, for "
-             f"which the library has rows that are not curated. {counts['rows_unverified_against_print']} rows were taken neither "
-             "from a public file nor from the publication; a warning says \"not checked against the printed source\" if one is used.", ""]
+             f"which the library has rows that are not curated. {counts['rows_unverified_against_print']} rows were quoted from "
+             "memory of a publication; a warning says \"not checked against the printed source\" if one is used "
+             "([provenance](../../materials/provenance.md)).", ""]
     heads = ("material", "kind", "density, kg/m³", "c0, m/s", "s", "equation of state", "strength law", "spall strength")
     lines += ["c0 and s are the intercept of the Hugoniot Us(up) and its slope at up = 0. Click on a heading to sort; type to filter.", "",
               "```{raw} html", '<input class="filter" type="search" placeholder="filter, such as metal or steinberg" '
