@@ -148,7 +148,7 @@ def _first(about: dict) -> list[str]:
         lines.append(f"* {what[:1].upper() + what[1:]}: [`{law}`](../laws/{folder}/{law}.md). {sentence(text)}")
     if "does not apply" in about["reach"]:
         return [*lines, ""]
-    reach = about["reach"].replace("not stated; a run", "the sources state no range. A run")
+    reach = about["reach"].replace("not stated; a run", "the source of the equation of state states no range. A run")
     named = re.search(r"source of row (U\d{3})", reach)
     if named and named[1] not in rows:
         reach = reach.replace(named[0], f"{named[0]}, which this material does not use; see Remarks")
@@ -243,7 +243,7 @@ def _derived(about: dict) -> list[str]:
     if "cj_velocity" in about["derived"]:
         said = "The Chapman-Jouguet (CJ) state computed from the constants of the detonation products"
         said += ", and the sound speed of the unreacted explosive." if "unreacted_sound_speed" in about["derived"] else "."
-    rows = [(DERIVED[k][:1].upper() + DERIVED[k][1:], number(q["value"], q["unit"], 4), cell(q["meaning"]))
+    rows = [(DERIVED[k][:1].upper() + DERIVED[k][1:], number(q["value"], q["unit"], 5 if k == "cj_velocity" else 4), cell(q["meaning"]))
             for k, q in about["derived"].items()]
     return ["## Derived quantities", "", " ".join(t for t in (said, differences(about)) if t), "",
             *table(["quantity", "value", "how it is computed"], rows)]
