@@ -116,8 +116,8 @@ def differences(about: dict) -> str:
     """How derived quantities differ from the material's own at low pressure, or from the constants of its strength law; empty where not."""
     found = []
     if about["data_begin"] and "bulk_sound_speed" in about["derived"]:
-        found.append(f"They describe the fitted law, which holds only above a particle velocity of {about['data_begin']:g} m/s; at low "
-                     "pressure the real material has different sound speeds and elastic constants.")
+        found.append(f"They describe the law, whose valid range begins at a particle velocity of {about['data_begin']:g} m/s; at low "
+                     "pressure the sound speeds and elastic constants of the real material may differ.")
     if about["sound_speed_of_others"] and "bulk_sound_speed" in about["derived"]:
         begin, low, high = (f"{v:.4g}" for v in about["sound_speed_of_others"])
         span = low if low == high else f"{low} to {high}"

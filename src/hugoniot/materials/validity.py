@@ -97,7 +97,7 @@ def about_law(material: Material) -> list[str]:
 
 
 def _ends(par) -> list[tuple[float, str]]:
-    found = [(particle_velocity_limit(par), "the largest particle velocity that the Hugoniot fit gives")]
+    found = [(particle_velocity_limit(par), "the largest that a shock on this Us-up relation can have")]
     if not is_condensed(par):
         return found
     rho0 = reference_state(par)[0]

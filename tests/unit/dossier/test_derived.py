@@ -134,7 +134,7 @@ def test_derived_constants_of_a_law_fitted_beyond_a_transition_are_called_so(nam
     """Iron's c0 of 3.72 km/s is an intercept: the sound speed of iron is 4.6 km/s."""
     about = described(library.entry(name))
     assert about["data_begin"] == begins
-    assert (f"holds only above a particle velocity of {begins or 0:g} m/s" in differences(about)) == (begins is not None)
+    assert (f"whose valid range begins at a particle velocity of {begins or 0:g} m/s" in differences(about)) == (begins is not None)
 
 
 @pytest.mark.parametrize("name, words", [("U204", "begin at a particle velocity of 900 m/s; other rows of the library whose data begin below 1000 m/s give 1484 to 1833 m/s"),

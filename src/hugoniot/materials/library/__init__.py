@@ -238,13 +238,17 @@ def _of_row(identity: str) -> Entry:
 
 def _branch(name: str, identity: str | None) -> list[str]:
     """What is said of a material whose line holds on the far side of a transition only."""
-    begin = far_begin(schema.row(identity)) if identity else 0.0
+    row = schema.row(identity) if identity else None
+    begin = far_begin(row) if row else 0.0
     if not begin:
         return []
-    compared = "states" in schema.row(identity) and schema.row(identity).status != "derived"      # its source states no range
-    data = f"the measured states with which row {identity} ({name}) is compared" if compared else f"the data of row {identity} ({name})"
-    return [f"{data} begin at a particle velocity of {begin:g} m/s; weaker shocks may follow another branch "
-            "of the Hugoniot"]
+    what, fitted = f"row {identity} ({name})", row.status == "derived"
+    starts = f"the data of {what} begin"
+    if "states" in row and not fitted:      # its source states no range
+        starts = f"the measured states with which {what} is compared begin"
+    elif fitted and "states" not in row:    # to another curve
+        starts = f"the fit of {what} begins"
+    return [f"{starts} at a particle velocity of {begin:g} m/s; weaker shocks may follow another branch of the Hugoniot"]
 
 
 def _warned(made: Entry, warnings: Iterable[str]) -> Entry:
