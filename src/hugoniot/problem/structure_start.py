@@ -4,6 +4,7 @@
 """
 
 import math
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context
 from types import MappingProxyType
 
 import numpy as np
@@ -132,8 +133,16 @@ def _require_room(problem, profile: Profile, left, right, at, boost):
     first, last = at + ahead + min(path, 0.0), at + behind + max(path, 0.0)
     if left <= first and last <= right:
         return
-    name = problem.regions[0].name
-    run = f" and runs {abs(path):.4g} m until stop_time" if path else ""
-    raise DeckError.single("deck", None, f"region.{name}", f"the domain from {left:.4g} m to {right:.4g} m is too short: the shock "
-                           f"at {at:.4g} m needs {-ahead:.4g} m ahead of it and {behind:.4g} m behind{run}",
-                           f"extend the region from {first:.4g} m or less to {last:.4g} m or more, at least {last - first:.4g} m")
+    one, other = problem.regions[0], problem.regions[-1]
+    run = f", and it runs {abs(path):.4g} m until stop_time" if path else ""
+    moves = [f"region '{one.name}' begin at {_outward(first, ROUND_FLOOR):g} m or less"] if first < left else []
+    moves += [f"region '{other.name}' end at {_outward(last, ROUND_CEILING):g} m or more"] if last > right else []
+    kept = f", and give [solver.shock] at = \"{at:.6g} m\"" if abs(at - 0.5 * (left + right)) < 1e-9 * (right - left) else ""
+    raise DeckError.single("deck", None, f"region.{(one if first < left else other).name}",
+                           f"the domain from {left:.4g} m to {right:.4g} m does not hold the shock: at {at:.4g} m it needs "
+                           f"{-ahead:.4g} m ahead of it (at smaller x) and {behind:.4g} m behind{run}", f"let {' and '.join(moves)}{kept}")
+
+
+def _outward(place: float, rounding: str) -> float:
+    """The place to four figures, rounded so that a domain that reaches to it is long enough."""
+    return float(Context(prec=4, rounding=rounding).create_decimal_from_float(float(place)))

@@ -44,9 +44,12 @@ def grid_of(problem: Problem):
         if a.end != b.start:
             raise OutOfRange(f"the solver {NAME} needs regions that touch; there is a gap between '{a.name}' and '{b.name}'")
     for region, width in zip(regions, widths):
-        if region.ratio != 1.0 or abs(width / widths[0] - 1.0) > 1e-9:
-            raise OutOfRange(f"the solver {NAME} needs cells of equal width; region '{region.name}' has {width:.6g} m, the first "
-                             f"{widths[0]:.6g} m (ratio {region.ratio:g}): set its zones accordingly")
+        if region.ratio != 1.0:
+            raise OutOfRange(f"the solver {NAME} needs cells of equal width, but in region '{region.name}' each is {region.ratio:g} times "
+                             "as wide as the one before: leave ratio out")
+        if abs(width / widths[0] - 1.0) > 1e-9:
+            raise OutOfRange(f"the solver {NAME} needs cells of equal width, but those of region '{region.name}' are {width:.6g} m wide "
+                             f"and those of '{regions[0].name}' {widths[0]:.6g} m: change zones")
     count = sum(region.zones for region in regions)
     if count < FEWEST_CELLS:
         raise OutOfRange(f"the solver {NAME} needs at least {FEWEST_CELLS} cells; there are {count}")
