@@ -18,12 +18,13 @@ import numpy as np
 
 from hugoniot.campaign.variables import refuse
 from hugoniot.errors import DeckError
-from hugoniot.materials.collect import nearest, printable
+from hugoniot.materials.collect import listed, nearest, printable
 from hugoniot.output.columns import describe
 from hugoniot.output.compare import Choice, Record, read_table
 from hugoniot.units import UnitError, convert, parse
 
 LEAST_SIGMA = 2e-3      # of the largest value: what an estimate of the noise may not be below (digitised curves have none)
+MOST_SHOWN = 20          # gauges, or fields, that a message lists
 _MEDIAN = 1.4826        # standard deviation over median of the magnitude, normal distribution
 _NUMBER = re.compile(r"(?P<name>[^=]+)=(?P<value>[^=]+?)(?:\+-|±)(?P<sigma>[^=]+)")
 
@@ -136,8 +137,8 @@ def _records(path: str, run, gauge, sigma, clock: int, notes: list[str]) -> list
         own = choice.counterpart(column, mine)
         name = f"{column.gauge} {column.field}".strip()
         if own is None:
-            known = ", ".join(sorted({f"{r.gauge} {r.field}" for r in mine})[:8])
-            raise DeckError.single(path, 1, name, "no gauge of the deck records this", f"recorded are: {known}")
+            gauges, fields = (listed(sorted({getattr(r, of) for r in mine}), MOST_SHOWN) for of in ("gauge", "field"))
+            raise DeckError.single(path, 1, name, "no gauge of the deck records this", f"gauges: {gauges}; each records: {fields}")
         values, estimated = _sigma(path, column, spreads.get(name), sigma)
         found.append(Target(f"{pathlib.Path(path).name}: {name}", f"{own.gauge}.{own.field}", own.unit, column.time, column.values, values,
                             clock, estimated))

@@ -26,6 +26,12 @@ def printable(text, limit: int = 60) -> str:
     return "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)
 
 
+def listed(names: Iterable, most: int = 40, limit: int = 60) -> str:
+    """The names with commas between them, and how many more there are than `most`."""
+    names = [printable(name, limit) for name in names]
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
+
+
 def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
     """The hint `did you mean '...'?`, or the whole (short) list where nothing is near."""
     known = sorted(known)
@@ -38,7 +44,7 @@ def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
         return f"did you mean '{printable(near[0])}'?"
     if otherwise or not known:
         return otherwise
-    return f"known: {', '.join(printable(word, 40) for word in known[:40])}" + (", ..." if len(known) > 40 else "")
+    return f"known: {listed(known, limit=40)}"
 
 
 def explained(key: str, meaning: str) -> str:

@@ -15,6 +15,7 @@ import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.files import hdf5_texts_end
+from hugoniot.materials.collect import listed
 
 UNITS = {"density": "kg/m^3", "temperature": "K", "pressure": "Pa", "energy": "J/kg"}
 _LONG = {"density": "densities of the grid", "temperature": "temperatures of the grid", "pressure": "pressure, row by density",
@@ -95,7 +96,7 @@ def _dataset(file, name: str, path) -> np.ndarray:
 
 
 def _names(file) -> str:
-    return ", ".join(_printable(str(name), 40) for name in list(file)[:20])
+    return listed(file, 20)
 
 
 def _printable(text: str, limit: int = 120) -> str:

@@ -20,7 +20,7 @@ from typing import Any
 
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.materials import sesame, tables_io
-from hugoniot.materials.collect import Collector, explained, printable, shown_value
+from hugoniot.materials.collect import Collector, explained, listed, printable, shown_value
 
 LAW = "table"
 UNITS = {"file": "text", "rho0": "kg/m^3", "reference_temperature": "K", "density_range": "kg/m^3", "temperature_range": "K",
@@ -101,5 +101,5 @@ def _range(value: Any, unit: str, collector: Collector, path: tuple) -> tuple[fl
 def _others(path: Path) -> str:
     """The tables that lie where one was sought."""
     folder = path.parent
-    found = sorted(f.name for f in folder.iterdir() if f.suffix.lower() in _SUFFIXES)[:5] if folder.is_dir() else []
-    return f"tables in that folder: {', '.join(printable(f) for f in found)}" if found else "the name is relative to the file that has it"
+    found = sorted(f.name for f in folder.iterdir() if f.suffix.lower() in _SUFFIXES) if folder.is_dir() else []
+    return f"tables in that folder: {listed(found, 5)}" if found else "the name is relative to the file that has it"

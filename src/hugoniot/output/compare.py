@@ -17,6 +17,7 @@ from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.diagnostics.norms import Difference, difference
 from hugoniot.errors import DeckError, DeckProblem
 from hugoniot.files import csv_rows, read_regular
+from hugoniot.materials.collect import listed
 from hugoniot.output.atomic import legible
 from hugoniot.output.run import Run, load
 from hugoniot.output.run_numbers import recorded
@@ -267,5 +268,5 @@ def compare(a, b, gauge: str | None = None) -> Comparison:
         known = sorted({f"{r.gauge} {r.field}" for r in mine})
         message = f"no record here matches a gauge of {run.folder}"
         raise _table_error(name_b, None, "columns", message,
-                           f"{run.folder} has: {', '.join(known[:8])}" + (f" and {len(known) - 8} more" if len(known) > 8 else ""))
+                           f"{run.folder} has: {listed(known, 8)}")
     return Comparison(str(run.folder), name_b, tuple(pairs), tuple(unmatched), tuple(notes))

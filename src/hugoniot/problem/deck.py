@@ -12,7 +12,7 @@ import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.files import DEEPEST, LONG_KEY, open_regular, toml_trouble
-from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.collect import Collector, listed, nearest, printable
 from hugoniot.materials.read import read_material
 from hugoniot.materials.users import for_deck
 from hugoniot.problem import schema
@@ -62,8 +62,8 @@ def read_deck(path: str | Path, overrides: dict[str, Any] | None = None, materia
     except FileTrouble:
         raise
     except OSError as error:
-        near = sorted(printable(p.name) for p in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
-        hint = f"; decks here: {', '.join(near)}" if near else "; hugoniot init writes one"
+        near = sorted(p.name for p in path.parent.glob("*.toml")) if path.parent.is_dir() else []
+        hint = f"; decks here: {listed(near, 5)}" if near else "; hugoniot init writes one"
         raise FileTrouble(f"cannot read {path}: {error.strerror or error}{hint}") from None
     try:
         text = data.decode("utf-8-sig")

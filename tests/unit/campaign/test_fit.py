@@ -318,7 +318,7 @@ def test_data_without_units_or_without_a_gauge_are_refused(deck, tmp_path, inlin
     with pytest.raises(DeckError, match="has no unit"):
         run_fit(deck, FitWishes([data], FREE), False, engine=inline)
     data = written(tmp_path / "visar.csv", TIMES * 1.4e-6, 300.0 + TIMES, "time [us], temperature [K]")
-    with pytest.raises(DeckError, match="no gauge of the deck records this"):
+    with pytest.raises(DeckError, match="no gauge of the deck records this; gauges: .*free surface.*; each records: .*velocity"):
         run_fit(deck, FitWishes([data], FREE), False, engine=inline)
     with pytest.raises(FileTrouble):
         run_fit(deck, FitWishes([str(tmp_path / "none.csv")], FREE), False, engine=inline)
