@@ -29,6 +29,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hugoniot.errors import DeckError
+from hugoniot.materials.collect import listed
 
 PARTS = {301: "total", 303: "ions with the cold curve", 304: "thermal electrons", 305: "ions with zero-point motion", 306: "cold curve"}
 CURVES = {401: "vaporization", 411: "solid on the melting line", 412: "liquid on the melting line"}
@@ -127,10 +128,21 @@ def grid(found: list[Record], number: int = 301, material: int | None = None, na
             stored = [part for number in parts if (part := _first(found, number, one))]
             if len(stored) == len(parts):
                 return _total([_grid(part, name, units) for part in stored], name)
-    which = "" if material is None else f" of material {material}"
+    raise _absent(found, number, material, name)
+
+
+def _absent(found: list[Record], number: int, material: int | None, name: str) -> DeckError:
+    """That a table is not in the file, and what to choose instead."""
+    what, numbered = f"no {number} table", [m for m in materials(found) if m is not None]
+    if material is not None and material not in numbered and numbered:
+        return DeckError.single(name, None, "table", f"{what} of material {material} in this file",
+                                f"choose a material of this file: {listed(numbered)}")
     here = sorted({r.number for r in found if material in (None, r.material)} & {*PARTS, *CURVES})
-    raise DeckError.single(name, None, "table", f"no {number} table{which} in this file" + (
-        f"; it has {', '.join(map(str, here))}" if here else ""), "give a SESAME-format ASCII file or a CSV with a header")
+    tables = [n for n in here if n in PARTS and n != 306]      # the cold curve alone is no table of temperatures
+    which = "" if material is None else f" of material {material}"
+    return DeckError.single(name, None, "table", f"{what}{which} in this file" + (f"; it has {listed(here)}" if here else ""), (
+        f"choose table {' or '.join(map(str, tables))}, or give a file that has {number}" if tables else
+        f"give a file that has {number}" if here else "give a SESAME-format ASCII file or a CSV with a header"))
 
 
 def curve(found: list[Record], number: int, material: int | None = None, name: str = "sesame.txt") -> Curve | None:
@@ -142,11 +154,11 @@ def curve(found: list[Record], number: int, material: int | None = None, name: s
     n = _count(words, 0, record, name)
     if number == 401:
         if len(words) < 1 + 6 * n:
-            raise _short(record, name, f"{n} temperatures need {1 + 6 * n} numbers", words)
+            raise _short(record, name, f"temperatures: {n}, numbers needed: {1 + 6 * n}", words)
         p, t, *rest = np.array(words[1:1 + 6 * n]).reshape(6, n)
         return Curve(number, record.line, t, p * UNITS[2], np.array(rest[:2]) * UNITS[0], np.array(rest[2:]) * UNITS[3])
     if len(words) < 3 + 4 * n:
-        raise _short(record, name, f"{n} densities need {3 + 4 * n} numbers", words)
+        raise _short(record, name, f"densities: {n}, numbers needed: {3 + 4 * n}", words)
     t, p, e = np.array(words[3 + n:3 + 4 * n]).reshape(3, n)
     return Curve(number, record.line, t, p * UNITS[2], np.array(words[2:2 + n]) * UNITS[0], e * UNITS[3])
 
@@ -210,7 +222,7 @@ def _grid(record: Record, name: str, units) -> Grid:
     m = _count(words, 1, record, name)
     needed = 2 + n + m + 2 * n * m
     if len(words) < needed:
-        raise _short(record, name, f"{n} densities x {m} temperatures need {needed} numbers", words)
+        raise _short(record, name, f"densities: {n}, temperatures: {m}, numbers needed: {needed}", words)
     if len(words) >= needed + 2 * n * m:
         raise DeckError.single(name, record.line, str(record.number), "has four values or more at each point instead of pressure, energy "
                                "and free energy: this ANEOS file also contains entropies and sound speeds", "give NEW-SESAME-STD.TXT")
@@ -230,7 +242,7 @@ def _count(words: list[float], place: int, record: Record, name: str) -> int:
 
 
 def _short(record: Record, name: str, needs: str, words: list[float]) -> DeckError:
-    return DeckError.single(name, record.line, str(record.number), f"{needs}, but the table has {len(words)}",
+    return DeckError.single(name, record.line, str(record.number), f"{needs}, found: {len(words)}",
                             "the file is truncated or contains no energies")
 
 

@@ -30,11 +30,11 @@ def risen(rho, t, p, e):
     worst = np.unravel_index(np.argmax(np.abs(new_e - e)), e.shape)
     hardest = np.unravel_index(np.argmax(np.abs(new_p - p)), p.shape)
     return new_p, new_e, [
-        f"the energy of the table does not rise with temperature at {len(falls)} places: {len(changed)} of {e.size} entries, at densities "
-        f"from {rho[low]:.4g} to {rho[high]:.4g} kg/m3 and temperatures from {t[first]:.4g} to {t[last]:.4g} K, are interpolated between "
-        f"their neighbours; the energy changes by up to {abs(new_e[worst] - e[worst]) * 1e-3:.4g} kJ/kg (at {rho[worst[0]]:.4g} kg/m3, "
-        f"{t[worst[1]]:.4g} K), the pressure by up to {abs(new_p[hardest] - p[hardest]) * 1e-9:.4g} GPa (at {rho[hardest[0]]:.4g} kg/m3, "
-        f"{t[hardest[1]]:.4g} K)"]
+        f"the energy of the table does not rise with temperature everywhere (such places: {len(falls)}); entries interpolated between "
+        f"their neighbours: {len(changed)} of {e.size}, at densities from {rho[low]:.4g} to {rho[high]:.4g} kg/m3 and temperatures from "
+        f"{t[first]:.4g} to {t[last]:.4g} K; the energy changes by up to {abs(new_e[worst] - e[worst]) * 1e-3:.4g} kJ/kg (at "
+        f"{rho[worst[0]]:.4g} kg/m3, {t[worst[1]]:.4g} K), the pressure by up to {abs(new_p[hardest] - p[hardest]) * 1e-9:.4g} GPa (at "
+        f"{rho[hardest[0]]:.4g} kg/m3, {t[hardest[1]]:.4g} K)"]
 
 
 def _kept(t, row) -> list[int]:

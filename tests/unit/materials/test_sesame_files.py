@@ -63,8 +63,8 @@ def load_text(folder, text, **wanted):
 
 
 @pytest.mark.parametrize("change, wanted, message", [
-    (lambda t: t, {"table": 306}, "a cold curve has one temperature"), (lambda t: t, {"material": 7}, "no 301 table of material 7"),
-    (lambda t: t.replace("   304  ", "   301  ").replace("   303  ", "   305  "), {"table": 303}, "no 303 table in this file; it has 301, 305, 306"),
+    (lambda t: t, {"table": 306}, "a cold curve has one temperature"), (lambda t: t, {"material": 7}, "no 301 table of material 7 in this file; choose a material of this file: 4100"),
+    (lambda t: t.replace("   304  ", "   301  ").replace("   303  ", "   305  "), {"table": 303}, "no 303 table in this file; it has 301, 305, 306; choose table 301 or 305, or give a file that has 303"),
     (lambda t: "* INPUT\nANEOS1    -1  'Al solid'\n", {}, "the input of the ANEOS program, not a table")])
 def test_what_a_file_does_not_give_is_refused_with_what_it_has(tmp_path, change, wanted, message):
     with pytest.raises(DeckError, match=message):
@@ -115,7 +115,7 @@ def fallen():
 
 def test_repair_draws_lines_between_the_neighbours_and_says_where(tmp_path):
     p, e = fallen()
-    with pytest.raises(DeckError, match="does not between.*2 such places.*repair = true"):
+    with pytest.raises(DeckError, match="does not between.*such places: 2.*repair = true"):
         load_text(tmp_path, text_of({301: (p, e)}))
     law, (note,) = read(tmp_path / "al.ses", Window(2700.0, repair=True))
     changed = np.argwhere(law.energy_table != e[:, :])
@@ -124,7 +124,7 @@ def test_repair_draws_lines_between_the_neighbours_and_says_where(tmp_path):
         share = (T[j] - T[j - 1]) / (T[j + 1] - T[j - 1])
         for table, before in ((law.energy_table, e), (law.pressure_table, p)):
             assert table[i, j] == pytest.approx(before[i, j - 1] + share * (before[i, j + 1] - before[i, j - 1]), rel=1e-9)
-    assert "at 2 places: 2 of 231 entries, at densities from 3600 to 4400 kg/m3 and temperatures from 600 to 900 K" in note
+    assert "(such places: 2); entries interpolated between their neighbours: 2 of 231, at densities from 3600 to 4400 kg/m3 and temperatures from 600 to 900 K" in note
 
 
 def test_a_sound_table_is_not_touched_by_repair(tmp_path):

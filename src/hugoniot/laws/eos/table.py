@@ -148,7 +148,7 @@ def build(density, temperatures, pressure_table, energy_table, rho0=math.nan, re
     if bad := [] if least_sound_speed else unstable_corners(table):
         i, j = bad[0]
         raise UnsoundTable(f"table: the squared sound speed is not positive at density {rho[i]:.6g} kg/m3, temperature {t[j]:.6g} K "
-                           f"({len(bad)} such grid points); smooth the table, end the grid before that point, or give least_sound_speed",
+                           f"(such grid points: {len(bad)}); smooth the table, end the grid before that point, or give least_sound_speed",
                            (i, j))
     if not math.isfinite(rho0):
         rho0 = _rest_density(table, reference_temperature)
@@ -191,7 +191,7 @@ def _check_energy(e, rho, t):
     if bad.size:
         i, j = bad[0]
         raise UnsoundTable(f"table: the energy must rise with temperature, but at density {rho[i]:.6g} kg/m3 it does not between "
-                           f"{t[j]:.6g} and {t[j + 1]:.6g} K ({len(bad)} such places); "
+                           f"{t[j]:.6g} and {t[j + 1]:.6g} K (such places: {len(bad)}); "
                            "correct the table, end the grid before that point, or read it with repair = true", (i, j + 1))
 
 
