@@ -169,8 +169,10 @@ def _targets(question: Deck, plan: Plan, wishes: FitWishes) -> tuple[list[Target
     if pops:
         charge_of(explosive_of(problem))      # says what is missing
     if not question.run:
-        if wishes.shift or wishes.scale or wishes.window or wishes.gauge:
-            raise refuse("--to", files[0], "a Pop plot has no clock, no scale, no window and no gauge", "leave these options out")
+        of_records = {"--shift": wishes.shift, "--scale": wishes.scale, "--window": ", ".join(wishes.window), "--gauge": wishes.gauge}
+        if idle := {option: text for option, text in of_records.items() if text}:
+            option, text = next(iter(idle.items()))
+            raise refuse(option, text, "has no effect on a Pop plot, only on records in time", f"leave out {' and '.join(idle)}")
         if idle := [key for key in plan.changes(0) if not key.startswith("material.")]:
             raise refuse("--free", idle[0], "has no effect on a Pop plot, whose runs take only the explosive from the deck",
                          "vary constants of the material instead, or also give a record of the deck itself")
