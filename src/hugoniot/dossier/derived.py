@@ -167,7 +167,8 @@ def _implicit_cubic(c0: float, s1: float, s2: float, s3: float, up: float) -> fl
     while True:
         high = low + step
         if high >= 1.0 or not particle(high) > particle(low) and low > 0.0:
-            raise NoSolution(f"no shock with particle velocity {up:g} m/s on this Hugoniot: its branch ends at up/Us = {low:.3f}")
+            raise NoSolution(f"no shock with particle velocity {up:g} m/s: the fitted Hugoniot ends at particle velocity "
+                             f"{particle(low):.6g} m/s (up/Us = {low:.3f})")
         if particle(high) >= up:
             break
         low = high

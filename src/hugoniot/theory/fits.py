@@ -155,7 +155,9 @@ def _column(path, line, head, name, unit, words):
             except UnitError as error:
                 raise DeckError.single(path, line, name, error.message, error.hint) from None
     sample = f"'{words[-1]} ({_SAMPLE[unit]})'" if unit in _SAMPLE else f"'{words[-1]}'"
-    raise DeckError.single(path, line, name, f"no column has this name; the columns are {', '.join(head)[:200]}", f"name one {sample}")
+    shown = ", ".join(head)
+    raise DeckError.single(path, line, name, f"no column has this name; the columns are {shown[:200]}{'...' if len(shown) > 200 else ''}",
+                           f"name one {sample}")
 
 
 def _factor(written: str, unit: str) -> float:
@@ -302,8 +304,8 @@ def shocked_state(rho0: float, c0: float, s: float, up: float, gamma: float, pre
     us = c0 + s * up
     x = up / us
     if not 0.0 < x < 1.0:
-        raise OutOfRange(f"a particle velocity of {up:.6g} m/s in a shock of {us:.6g} m/s is not a compression "
-                         "(fits with s < 1 end at c0/(1 - s))")
+        end = f"; with s = {s:g} particle velocities end at c0/(1 - s) = {c0 / (1.0 - s):.6g} m/s" if up > 0.0 and s < 1.0 else ""
+        raise OutOfRange(f"the particle velocity, {up:.6g} m/s, must lie between 0 and the shock velocity, {us:.6g} m/s{end}")
     behind = rho0 * us * up + pressure
     return us, behind, rho0 / (1.0 - x), pressure / (gamma * rho0) + 0.5 * (behind + pressure) * x / rho0
 

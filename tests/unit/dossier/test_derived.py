@@ -1,6 +1,7 @@
 """Numbers that follow from constants, each against a formula of its own."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -65,9 +66,15 @@ def test_forms_of_hugoniots():
     assert derived.shock_velocity(exponential, 8000.0) == pytest.approx(6278.0 + 1.193 * 8e3 - 2.505 * 8e3 * math.exp(-2.9608), rel=1e-5)
 
 
-def test_cubic_branch_ends_with_a_sentence():
-    with pytest.raises(NoSolution, match="branch ends"):
-        derived.shock_velocity(schema.row("U043"), 60000.0)
+def test_beyond_the_end_of_a_cubic_fit_the_highest_particle_velocity_is_named():
+    row = schema.row("U043")
+    with pytest.raises(NoSolution, match="the fitted Hugoniot ends at particle velocity") as told:
+        derived.shock_velocity(row, 60000.0)
+    eta = np.linspace(0.0, 0.5, 100001)
+    up = row["c0"] * eta / (1.0 - row["s"] * eta - row["s2"] * eta**2 - row["s3"] * eta**3)
+    named = float(re.search(r"ends at particle velocity (\S+) m/s", str(told.value)).group(1))
+    assert named == pytest.approx(up.max(), rel=1e-4)
+    assert derived.shock_velocity(row, 0.9999 * named) > named
 
 
 def test_cj_states_by_a_second_route():

@@ -128,5 +128,5 @@ def test_adjusted_law_passes_through_the_shock_state_and_no_other_does():
     good = adjusted_gamma(rho0, c0, s, up, 0.15)
     assert truncated_pressure(rho0, c0, s, good, rho0 / (1 - x), e) == pytest.approx(behind, rel=1e-13)
     assert abs(truncated_pressure(rho0, c0, s, 0.15, rho0 / (1 - x), e) / behind - 1) > 0.05
-    with pytest.raises(OutOfRange, match="not a compression"):
+    with pytest.raises(OutOfRange, match=r"5000 m/s, must lie between 0 and the shock velocity, 4989 m/s; .* = 4583.33 m/s"):
         adjusted_gamma(100.0, 121.0, 0.9736, 5000.0, 0.3)
