@@ -279,7 +279,7 @@ def _wrong_place(at: float | str, regions: tuple[Region, ...], known: set[str]) 
     if isinstance(at, float):
         if any(r.start <= at <= r.end for r in regions):
             return None
-        spans = ", ".join(f"'{r.name}' {format_si(r.start, 'm')} to {format_si(r.end, 'm')}" for r in regions[:4])
+        spans = ", ".join(f"'{r.name}' ({format_si(r.start, 'm')} to {format_si(r.end, 'm')})" for r in regions[:4])
         return f"no material at {format_si(at, 'm')}", f"regions: {spans}" + (", ..." if len(regions) > 4 else "")
     turned = "/".join(reversed(at.split("/")))
     hint = f"name the left region first: '{turned}'" if turned in known else partial(_nearest_place, at, regions)

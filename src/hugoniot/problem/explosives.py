@@ -69,9 +69,10 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
     bodies = [[problem.regions[k] for k in body] for body in programmed_bodies(problem)]
     for k, point in enumerate(problem.lighting):
         if not any(body[0].start <= point.position <= body[-1].end for body in bodies):
-            spans = ", ".join(f"'{body[0].name}' {format_si(body[0].start, 'm')} to {format_si(body[-1].end, 'm')}" for body in bodies)
+            spans = ", or ".join(" and ".join(f"'{region.name}'" for region in body)
+                                 + f", {format_si(body[0].start, 'm')} to {format_si(body[-1].end, 'm')}" for body in bodies)
             found.append((("lighting", k, "at"), f"no explosive with programmed burn at {format_si(point.position, 'm')}",
-                          f"move it into {spans}" if spans else "no material of this problem has a programmed burn law"))
+                          f"move the lighting point into {spans}" if spans else "no material of this problem has a programmed burn law"))
     for body in bodies:
         if not any(body[0].start <= point.position <= body[-1].end for point in problem.lighting):
             names = ", ".join(f"'{region.name}'" for region in body)

@@ -131,7 +131,7 @@ def test_an_unlit_explosive_is_a_mistake_of_the_deck():
               ("b", "he", box((2.0, 3.0), (0.0, 1.0), (2, 2)))]
     with pytest.raises(DeckError, match="no detonation front reaches 'b'"):
         read(deck(blocks, [((0.0, 0.0), 0.0)]))
-    with pytest.raises(DeckError, match=r"lighting\[2\].at: no explosive with programmed burn at \(1.5, 0.5\) m"):
+    with pytest.raises(DeckError, match=r"lighting\[2\].at: no explosive with programmed burn at \(1.5, 0.5\) m; move the lighting point into 'a' or 'b'"):
         read(deck(blocks, [((0.0, 0.0), 0.0), ((1.5, 0.5), 0.0)]))
     assert read(deck(blocks, [((0.0, 0.0), 0.0), ((3.0, 0.5), 0.0)])) is not None
 

@@ -69,7 +69,7 @@ def test_a_front_runs_through_touching_explosives_each_at_its_speed():
 
 @pytest.mark.parametrize(("problem", "words"), [
     (two_explosives(), "needs a lighting point"),
-    (two_explosives((0.02, 0.0), (0.09, 0.0)), "no explosive with programmed burn at 90 mm"),
+    (two_explosives((0.02, 0.0), (0.09, 0.0)), "move the lighting point into 'a' and 'b', 0 m to 80 mm"),
 ])
 def test_defects_of_a_problem(problem, words):
     assert any(words in f"{message} {hint}" for _, message, hint in defects(problem))

@@ -28,10 +28,11 @@ def _lighting_defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
     names = " or ".join(f"'{problem.blocks[k].name}'" for body in lit for k in body.blocks)
     found = []
     for k, point in enumerate(problem.lighting):
+        what = "the lighting point" if point.to is None else "this end of the line"
         for key, place in (("at", point.at), ("to", point.to)):
             if place is not None and not any(holds(problem.mesh, body, np.array(place)) for body in lit):
                 found.append((("lighting", k, key), f"no explosive with programmed burn at ({place[0]:g}, {place[1]:g}) m",
-                              f"move it into {names}" if names else "no material of this problem has a programmed burn law"))
+                              f"move {what} into {names}" if names else "no material of this problem has a programmed burn law"))
     for body in unlit(problem, lit) if not found else ():
         names = ", ".join(f"'{problem.blocks[k].name}'" for k in body.blocks)
         hint = "add [[lighting]] there, or let it touch a lit explosive"
