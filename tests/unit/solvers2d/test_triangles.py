@@ -272,6 +272,9 @@ def test_a_tangled_mesh_is_reported_by_its_cell():
     assert isinstance(error, UnphysicalState) and "would invert" in str(error)
     assert (error.values["i"], error.values["j"]) == block.place(error.zone)
     assert error.values["area"] < 0.0
+    assert "check the initial velocities and the mesh" in str(error)      # nothing can stop before cycle 0
+    solver.counters[L.CYCLE] = 1
+    assert "stop earlier" in str(post_mortem.diagnose(solver, L.TANGLED))
 
 
 @pytest.mark.parametrize("options", [{"cells": "hexagons"}, {"cells": "triangles", "diagonal": "both"}])

@@ -33,7 +33,8 @@ def diagnose(solver, code) -> UnphysicalState:
         zone = int(np.argmin(flat if solver.erosion.live is None else np.where(solver.erosion.live, flat, np.inf)))
         cause = "the mesh is tangled: a zone would invert (negative volume) at any time step" if code == L.TANGLED else (
             "the time step has collapsed: a zone is nearly flat")
-        remedy = "stop earlier, use a finer or differently shaped mesh there, or raise the hourglass coefficients"
+        remedy = ("stop earlier, use a finer or differently shaped mesh there, or raise the hourglass coefficients" if solver.cycle else
+                  "check the initial velocities and the mesh there")
     block = solver.problem.mesh.blocks[solver.region_of[zone]]
     i, j = block.place(zone)
     values = {name: float(z[row, zone]) for name, row in zip(Z._fields, range(len(Z))) if not name.startswith("f")}
