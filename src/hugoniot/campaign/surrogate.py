@@ -92,8 +92,8 @@ def surrogate_of(problem: Problem, best: np.ndarray, covariance: np.ndarray, run
     if not log_error <= GOOD_ENOUGH:
         worst = max(errors, key=lambda name: errors[name])
         raise NoSolution("the surrogate is not good enough: in leave-one-out tests it misses the logarithm of the probability by "
-                         f"{log_error:.2g} (limit {GOOD_ENOUGH:g}), and {worst} by {errors[worst]:.2g} standard deviations; "
-                         "use more runs (--posterior-runs), a finer mesh, a shorter --window, or --posterior runs")
+                         f"{log_error:.2g} (limit {GOOD_ENOUGH:g}), and {worst} by {errors[worst]:.2g} times the standard deviation of the "
+                         "data; use more runs (--posterior-runs), a finer mesh, a shorter --window, or --posterior runs")
     return found
 
 

@@ -25,7 +25,7 @@ def impact(names: Sequence[str], velocity: float, sigma: float = 0.0, bands: boo
     Raises `OutOfRange` or `NoSolution` with the limit, `DeckError` for an unknown material.
     """
     if not 2 <= len(names) <= MOST_LAYERS:
-        raise OutOfRange(f"an impact needs a flyer and 1 to {MOST_LAYERS - 1} layers, got {len(names)} materials")
+        raise OutOfRange(f"an impact needs 2 to {MOST_LAYERS} materials, the flyer first; got {len(names)}")
     entries = [entry_of(name) for name in names]
     layers = [inert(entry) for entry in entries]
     met = match(layers, velocity)

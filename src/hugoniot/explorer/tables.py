@@ -81,7 +81,7 @@ def _read(path: Path) -> tuple[list[str], list[list[str]]]:
     if len(lines) > MOST_ROWS + 1:
         raise FileTrouble(f"{path.name}: more than {MOST_ROWS} rows; the explorer shows no larger table")
     if long := next((k for k, row in enumerate(lines) if len(row) > len(lines[0])), 0):
-        raise FileTrouble(f"{path.name}: row {long} has {len(lines[long])} values for {len(lines[0])} columns; texts with commas need "
+        raise FileTrouble(f"{path.name}: row {long}: values: {len(lines[long])}, column headers: {len(lines[0])}; texts with commas need "
                           "quotes, and numbers a decimal point")
     return [head.strip() for head in lines[0]], lines[1:]
 

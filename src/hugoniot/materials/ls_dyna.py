@@ -62,7 +62,7 @@ def scale_of(text: str) -> Scale:
     words = text.split()
     try:
         if len(words) != 3:
-            raise UnitError(f"expected units of mass, length and time, got {len(words)} words")
+            raise UnitError("expected three units, of mass, length and time")
         factors = [1000.0 if word in ("t", "ton", "tonne") and unit == "kg" else parse(f"1 {word}", unit)
                    for word, unit in zip(words, ("kg", "m", "s"))]
     except UnitError as error:

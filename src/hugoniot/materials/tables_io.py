@@ -115,7 +115,7 @@ def _row(line: str, place: list[int], count: int, name: str, line_number: int) -
     """The four numbers of a row."""
     cells = [cell.strip() for cell in csv_rows(line, name, line_number)[0][1]]
     if len(cells) != count:
-        raise DeckError.single(name, line_number, "row", f"{len(cells)} values, but the header names {count} columns",
+        raise DeckError.single(name, line_number, "row", f"values: {len(cells)}, column headers: {count}",
                                "give one value per column, with a point as decimal sign")
     found = []
     for column, k in zip(COLUMNS, place):
@@ -151,8 +151,8 @@ def _build(name, rho, t, p, e, window: Window, lines=None) -> tuple[Table, tuple
     columns = np.flatnonzero((t >= window.temperature_range[0]) & (t <= window.temperature_range[1]))
     lines = lines or {}
     if rows.size < 2 or columns.size < 2:
-        raise DeckError.single(name, lines.get(None), "table", f"{rows.size} densities and {columns.size} temperatures are in the "
-                               "requested range; at least two of each are needed", "widen the range or extend the table")
+        raise DeckError.single(name, lines.get(None), "table", f"in the requested range, densities: {rows.size}, temperatures: "
+                               f"{columns.size}; at least two of each are needed", "widen the range or extend the table")
     keep = np.ix_(rows, columns)
     rho, t, p, e, told = rho[rows], t[columns], p[keep], e[keep], []
     if window.repair:
@@ -166,7 +166,7 @@ def _build(name, rho, t, p, e, window: Window, lines=None) -> tuple[Table, tuple
         raise DeckError.single(name, where or lines.get(None), "table", message) from None
     if window.least_sound_speed and (bad := unstable_corners(table._replace(least_sound_speed=0.0))):
         i, j = np.array(bad).T
-        told = [*told, f"the table gives no real sound speed at {len(bad)} corners of its cells (densities {rho[i.min()]:.4g} to "
+        told = [*told, f"the table gives no real sound speed at corners of its cells (number: {len(bad)}; densities {rho[i.min()]:.4g} to "
                        f"{rho[i.max()]:.4g} kg/m3, temperatures {t[j.min()]:.4g} to {t[j.max()]:.4g} K): {window.least_sound_speed:g} m/s "
                        "is used there"]
     return table, tuple(told)

@@ -15,7 +15,7 @@ def nodes_on(curve: Curve, zones: int, ratio: float) -> np.ndarray:
     points = np.array(curve.points, dtype=float).T
     if curve.spacing == "points":
         if points.shape[1] != zones + 1:
-            raise ValueError(f"its points are the nodes: {zones} zones need {zones + 1} of them, got {points.shape[1]}")
+            raise ValueError(f"its points are the nodes, one more than the zones: needed {zones + 1}, got {points.shape[1]}")
         return points
     share = graded_nodes(0.0, 1.0, zones, ratio)
     if curve.kind == "arc":

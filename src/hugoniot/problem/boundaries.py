@@ -94,7 +94,7 @@ def read_pulse(value: Any, unit: str, collector: Collector, path: tuple) -> Puls
 def _history(table: HistoryTable, unit: str, collector: Collector, path: tuple) -> Pulse | None:
     if len(table.times) != len(table.values) or not 2 <= len(table.times) <= LONGEST_TABLE:
         message = f"a table needs as many times as values, 2 to {LONGEST_TABLE} of each"
-        collector.add(path, message, f"got {len(table.times)} times and {len(table.values)} values")
+        collector.add(path, message, f"got times: {len(table.times)}, values: {len(table.values)}")
         return None
     times = [collector.quantity((*path, "times", i), t, "s") for i, t in enumerate(table.times)]
     values = [_value(v, unit, collector, (*path, "values", i)) for i, v in enumerate(table.values)]

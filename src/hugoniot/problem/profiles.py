@@ -157,7 +157,7 @@ def _check_table(profile: Profile, start: float, end: float, collector: Collecto
     places = profile.positions
     for name, values in profile.fields:
         if len(values) != len(places):
-            collector.add((*path, name), f"{len(values)} values for {len(places)} positions", "each position needs one")
+            collector.add((*path, name), f"values: {len(values)}, positions: {len(places)}", "each position needs one")
     if len(places) < 2 or any(not b > a for a, b in zip(places, places[1:])):
         collector.add((*path, "positions"), "at least two positions are needed, and they must increase")
     elif places[-1] - places[0] > MUCH_LONGER * (end - start) and places[0] <= start and places[-1] >= end:

@@ -225,7 +225,7 @@ def test_a_table_of_cases_keeps_numbers_words_and_units(client):
 def test_a_row_of_more_values_than_columns_is_refused(tmp_path):
     """A decimal comma: 1,5 would be 1 in one column and 5 in the next."""
     (tmp_path / "cases.csv").write_text("velocity [m/s],peak (GPa)\n100,1.5\n200,2,5\n")
-    with pytest.raises(hugoniot.errors.FileTrouble, match="row 2 has 3 values for 2 columns"):
+    with pytest.raises(hugoniot.errors.FileTrouble, match="row 2: values: 3, column headers: 2"):
         tables.table(tmp_path / "cases.csv")
 
 

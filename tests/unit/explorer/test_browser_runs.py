@@ -103,7 +103,7 @@ def test_measured_data_is_dropped_over_a_run_and_wrong_data_refused(visit, tmp_p
     until(page, "document.querySelector('#said').textContent.includes(\"visar.csv:4: '<img>' is not a number\")")
     (tmp_path / "visar.csv").write_text("# digitiser 3\ntime [us];velocity [m/s]\n0,0;0,0\n0,5;10,5\n")      # would be 0 m/s at 0, and 5 m/s at 0
     page.set_input_files("input[type=file]", tmp_path / "visar.csv")
-    until(page, "document.querySelector('#said').textContent.includes('visar.csv:3: 4 values for 2 columns; numbers need a decimal point')")
+    until(page, "document.querySelector('#said').textContent.includes('visar.csv:3: values: 4, column headers: 2; numbers need a decimal point')")
     (tmp_path / "visar.csv").write_text("time [us], velocity [km/s]\n0,0\n5,0.01\n10,0.02\n")
     page.set_input_files("input[type=file]", tmp_path / "visar.csv")
     until(page, "[...document.querySelectorAll('.chart')].some(c => c.chart.spec.series.some(s => s.label === 'visar.csv: velocity'))")

@@ -144,7 +144,7 @@ def broken_rows(solid, what):
 
 @pytest.mark.parametrize("what, message", [
     ("gap", "no row gives density"), ("empty", "pressure: the value is missing; a table needs a value at every density"), ("nan", "no energy is given at density"),
-    ("falls", "energy must rise with temperature"), ("pressure", "squared sound speed is not positive"), ("word", "5 values, but the header names 4 columns"),
+    ("falls", "energy must rise with temperature"), ("pressure", "squared sound speed is not positive"), ("word", "values: 5, column headers: 4"),
     ("twice", "is given twice, first on line 14"), ("negative", "is not a valid state; densities are positive")])
 def test_a_bad_row_is_told_with_its_line(tmp_path, solid, what, message):
     rows, line = broken_rows(solid, what)
@@ -186,7 +186,7 @@ def test_hdf5_files_keep_their_units_and_shapes(tmp_path, solid):
 @pytest.mark.parametrize("change, message", [
     (('file = "al.csv"', 'file = "cu.csv"'), "deck.toml:14: material.al.eos.file: no readable table at"), (('file = "al.csv"', "file = 3"), "expected the name of a file"),
     (('density_range = ["2.6 g/cm^3", "4.0 g/cm^3"]', 'density_range = ["4 g/cm^3", "2 g/cm^3"]'), "deck.toml:16: material.al.eos.density_range: the second value must exceed the first"),
-    (('["2.6 g/cm^3", "4.0 g/cm^3"]', '["9 g/cm^3", "14 g/cm^3"]'), "0 densities and 9 temperatures are in the requested range"),
+    (('["2.6 g/cm^3", "4.0 g/cm^3"]', '["9 g/cm^3", "14 g/cm^3"]'), "in the requested range, densities: 0, temperatures: 9"),
     (("rho0", "rho_0"), "did you mean 'rho0'?"), (('"2785 kg/m^3"', '"2785 K"'), "eos.rho0")])
 def test_bad_keys_are_told_with_their_line(tmp_path, solid, change, message):
     write_file(tmp_path, "csv", solid)

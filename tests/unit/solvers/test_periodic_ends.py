@@ -165,7 +165,7 @@ def test_a_profile_much_longer_than_its_region_is_doubted(tmp_path, last, doubte
     ('"0.1 m/s"', '"0.1 m/s * y"', "unknown name 'y'"),
     ('"0.1 m/s"', '"__import__(1)"', "not allowed in an expression"),
     ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5]\nvelocity = [0.0, 1.0]', "a profile must cover its region"),
-    ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5, 1.0]\nvelocity = [0.0, 1.0]', "2 values for 3 positions"),
+    ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5, 1.0]\nvelocity = [0.0, 1.0]', "values: 2, positions: 3"),
     ('velocity = "0.1 m/s"', 'density = "1 kg/m^3"', "is given both in the region and in its profile"),
     ('velocity = "0.1 m/s"', 'pressure = "0.5 Pa - 1 Pa * x / 1 m"', "at 500 mm the profile gives 'gas' a state that it cannot have"),
     ('velocity = "0.1 m/s"', 'file = "nowhere.csv"', "cannot read"),

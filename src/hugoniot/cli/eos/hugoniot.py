@@ -47,7 +47,7 @@ class Answer(NamedTuple):
 def solve_all(names: list[str], asked: Question) -> list[Answer]:
     """Every material, with the measured points given for it."""
     if len(asked.data) > len(names):
-        raise DeckError.single("command line", None, "--data", f"{len(asked.data)} files for {len(names)} materials",
+        raise DeckError.single("command line", None, "--data", f"files: {len(asked.data)}, materials: {len(names)}",
                                "give at most one for each material")
     measured = [np.column_stack(read_points(file)) for file in asked.data]
     return [solve(name, asked)._replace(data=measured[i] if i < len(measured) else None) for i, name in enumerate(names)]

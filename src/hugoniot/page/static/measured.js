@@ -16,7 +16,7 @@
     if (at < 0) throw new H.Refused(`${name}: no time column; use a header such as time [us]`);
     const rows = lines.slice(1).map(([line, number]) => {
       const found = cells(line);
-      if (found.length !== heads.length) throw new H.Refused(`${name}:${number}: ${found.length} values for ${heads.length} columns; numbers need a decimal point, since commas separate columns`);
+      if (found.length !== heads.length) throw new H.Refused(`${name}:${number}: values: ${found.length}, column headers: ${heads.length}; numbers need a decimal point, since commas separate columns`);
       return found.map((c, j) => { const v = Number(c); if (c === "" || !Number.isFinite(v)) throw new H.Refused(`${name}:${number}: '${c.slice(0, 30)}' is not a number`); return v * heads[j].factor; });
     });
     const time = rows.map(r => r[at]);

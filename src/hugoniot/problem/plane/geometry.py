@@ -121,7 +121,7 @@ def _read_csv(name: str, unit: str, collector: Collector, path: tuple) -> tuple 
             return None
         points.append((x * factor, y * factor))
     if not 2 <= len(points) <= MOST_POINTS:
-        collector.add(path, f"'{printable(name)}' holds {len(points)} points", f"a curve has 2 to {MOST_POINTS}")
+        collector.add(path, f"points in '{printable(name)}': {len(points)}", f"a curve has 2 to {MOST_POINTS}")
         return None
     return tuple(points)
 

@@ -23,7 +23,7 @@ def _numbers(unit: str, count: int, limit: float = LARGEST_COORDINATE):
     """Reader of an array of `count` quantities."""
     def read(value: Any) -> tuple[float, ...]:
         if not isinstance(value, (list, tuple)) or len(value) != count:
-            shown = f"{len(value)} values" if isinstance(value, (list, tuple)) else "one value"
+            shown = len(value) if isinstance(value, (list, tuple)) else "one value"
             raise trouble(f"expected an array of {count} quantities, got {shown}", f"for example {_EXAMPLES[unit]}")
         try:
             found = tuple(parse(part, unit) for part in value)
