@@ -174,7 +174,7 @@ def transport_of(table: dict) -> Transport:
     if table["bulk_ratio"] > 0.0 or table["bulk_viscosity"] > 0.0:
         raise OutOfRange("a bulk viscosity needs a shear viscosity as well; give viscosity = {law = ...}")
     if table.get("conduction", {"law": "none"})["law"] in ("none", "prandtl"):
-        raise OutOfRange("give a viscosity or a heat conduction; a Prandtl number needs a viscosity as well")
+        raise OutOfRange("give a viscosity or a conduction law; a Prandtl number needs a viscosity as well")
     return make(TRANSPORT.get("constant").example, table["conduction"])._replace(shear=None)
 
 

@@ -270,8 +270,8 @@ def vanishing_series(density: float, energy: float, par) -> VanishingSeries:
     state = solve(density, energy, 0.0, par, reference=(density, energy))
     mixed = state.mixed()
     if math.isnan(mixed.rho_p):
-        raise NoSolution(f"the first products have no state at density {density:.6g} kg/m^3, energy {energy:.6g} J/kg: "
-                         f"{contract.MEANING[contract.NO_BRACKET]}")
+        raise NoSolution(f"the products that form first (burn fraction 0) have no state at density {density:.6g} kg/m^3, energy "
+                         f"{energy:.6g} J/kg: {contract.MEANING[contract.NO_BRACKET]}; give another density or energy")
     v, v_p0, e_p0, p = 1.0 / density, 1.0 / mixed.rho_p, mixed.e_p, mixed.pressure
     i_r = contract.impedance_squared(density, energy - par.detonation_energy, par.reactants)
     p_v, p_e = contract.volume_slopes(mixed.rho_p, e_p0, par.products)
@@ -302,8 +302,8 @@ def adiabat(start: MixtureState, volumes, burn_fraction: Callable[[float], float
         if found.status == contract.NO_BRACKET and lam(v) == 0.0:
             found = Mixed(*unburned_row(1.0 / v, float(e[0]), par)[:6])
         if found.status != contract.CONVERGED:
-            raise NoSolution(f"the adiabat reaches a volume of {v:.6g} m^3/kg at burn fraction {lam(v):.6g} where "
-                             f"{contract.MEANING[found.status]}")
+            raise NoSolution(f"the adiabat has no mixture state at volume {v:.6g} m^3/kg and burn fraction {lam(v):.6g}: "
+                             f"{contract.MEANING[found.status]}; end the volumes before that")
         return [-found.pressure]
 
     way = solve_ivp(slope, (1.0 / float(start.density), float(volumes[-1])), [float(start.energy)], method="DOP853", rtol=1e-12,

@@ -36,7 +36,7 @@ def test_gamma_from_expansion():
 
 
 @pytest.mark.parametrize("arguments, said", [(["lineer", "c0=1"], "linear"), (["linear", "rho0=1000", "s=1.3"], "c0"),
-                                             (["linear", "c00=3 km/s"], "c0"), (["linear", "c0"], "NAME=VALUE")])
+                                             (["linear", "c00=3 km/s"], "c0"), (["linear", "c0"], "c0: has no value")])
 def test_bad_input_names_the_way_out(arguments, said):
     result = convert(*arguments)
     assert result.exit_code != 0 and said in f"{result.output} {result.exception!r} {getattr(result.exception, 'problems', '')}"

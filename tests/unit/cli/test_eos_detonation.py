@@ -119,7 +119,7 @@ def test_pictures(tmp_path, arguments):
 
 
 @pytest.mark.parametrize(("arguments", "code", "words"), [
-    (("znd", "tnt"), 2, "give --rate"), (("znd", "copper"), 2, "no rate"), (("znd", "lx17x"), 2, "nearest"), (("znd", "lx_17", "--closure", "thermal_isolaton"), 2, "did you mean"),
+    (("znd", "tnt"), 2, "tnt: has a programmed burn only, and the library has no rate for it; sets"), (("znd", "copper"), 2, "no rate"), (("znd", "lx17x"), 2, "nearest"), (("znd", "lx_17", "--closure", "thermal_isolaton"), 2, "did you mean"),
     (("znd", "lx_17", "--velocity", "7 km/s"), 3, "slower than the Chapman-Jouguet"), (("znd", "lx_17", "--velocity", "7 km"), 2, "expected a velocity"),
     (("znd", "lx_17", "--rate", "arhenius: frequency = 1"), 2, "did you mean 'arrhenius'"), (("znd", "lx_17", "--rate", "arrhenius: frequency"), 2, "gives no parameter"),
     (("znd", "lx_17", "--rate", "arrhenius: frequency = 1e6 1/s"), 2, "activation_temperature: missing"),

@@ -45,7 +45,7 @@ def test_what_is_of_the_products_has_no_number_there(kind):
     assert np.isnan(state.product_density).tolist() == [True, False, False] == np.isnan(state.pressure_by_burn_fraction).tolist()
     assert state.pressure[0] == alone.pressure and state.sound_speed[0] == alone.sound_speed and state.temperature[0] == pytest.approx(298.0)
     assert np.all(np.diff(state.pressure) > 0.0) and np.array_equal(state.volume_fraction[[0, 2]], [0.0, 1.0])
-    with pytest.raises(NoSolution, match="the first products have no state"):
+    with pytest.raises(NoSolution, match="no state at density.*give another density or energy"):
         tool.vanishing_series(*reference, par)
 
 

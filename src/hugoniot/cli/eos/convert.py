@@ -108,7 +108,7 @@ def _read(texts: list[str], known: tuple[str, ...]) -> dict[str, float]:
     for text in texts:
         name, equals, value = (part.strip() for part in text.partition("="))
         if not equals:
-            raise DeckError.single("command line", None, text[:40], "is not a constant", 'write NAME=VALUE, such as "c0=5.35 km/s"')
+            raise DeckError.single("command line", None, text[:40], "has no value", 'write NAME=VALUE, such as "c0=5.35 km/s"')
         if name not in known:
             raise DeckError.single("command line", None, name[:40], "unknown constant", nearest(name, known))
         found[name] = quantity(value, UNITS.get(name, "1"), name)

@@ -59,7 +59,7 @@ def find_inert(text: str) -> Subject:
 def find_reactive(text: str, rate: str | None = None) -> tuple[Subject, list[str]]:
     """An explosive with a rate, and what must be said about it.
 
-    A `rate` given on the command line goes before the material's burn law; where the library burns an explosive by schedule, its
+    A `rate` given on the command line goes before the material's burn law; where the library gives an explosive no rate, its
     calibration with a rate (the material "LX-17 reactive") is taken.
     """
     from hugoniot.laws.burn.contract import BURN
@@ -73,7 +73,8 @@ def find_reactive(text: str, rate: str | None = None) -> tuple[Subject, list[str
     try:
         return find_material(f"{text} reactive"), [f"'{text} reactive' is used: products, unreacted explosive and rate of one calibration"]
     except DeckError as error:
-        what = "burns by a schedule" if burn is not None else "has no burn law"
+        what = ("has no burn law" if burn is None else "has a programmed burn only" if "programmed" in BURN.of(burn).flags else
+                "has a burn law without a rate")
         hint = error.problems[0].hint if "rate constants" in error.problems[0].message else ""
         raise DeckError.single("command line", None, text, f"{what}, and the library has no rate for it",
                                f"{hint + '; ' if hint else ''}give --rate, or a TOML file with [burn]") from None

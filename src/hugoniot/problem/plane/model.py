@@ -143,7 +143,7 @@ class Viscosity2D:
     limited            whether smooth flow is spared; "herrmann" has no limiter
     linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with, where it shrinks;
                        explosive_linear, explosive_quadratic of one that burns, whose products are stiffer than a gas, as in one dimension;
-                       explosives that burn by a schedule alone have no linear part
+                       explosives with a programmed burn and no unreacted equation of state have no linear part
     solid_shear        linear coefficient of a material with strength where it flows at constant volume; "herrmann" takes it everywhere
     heat_flux          coefficient of the artificial heat flux between quadrilaterals of materials without strength that do not burn
     linear_condensed   in place of `linear` in condensed materials, in porous ones in strong shocks only; solid_linear_condensed in place of
