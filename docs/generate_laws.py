@@ -34,7 +34,9 @@ ERRORS = "../../../theory/source_errors.md"
 
 
 def cell(value) -> str:
-    return str(value).replace("|", "\\|").replace("\n", " ").replace("<", "&lt;").replace("_", "\\_").replace("*", "\\*")
+    parts = str(value).replace("|", "\\|").replace("\n", " ").split("`")      # every second part is code, which needs no escapes
+    parts[::2] = (part.replace("<", "&lt;").replace("_", "\\_").replace("*", "\\*") for part in parts[::2])
+    return "`".join(parts)
 
 
 def table(heads, rows) -> list[str]:

@@ -100,7 +100,8 @@ TITLES = {
 EQUATIONS_ELSEWHERE = {"mixtures": "The equations are given under [mixtures](../../theory/mixtures.md)."}
 FUNCTIONS_ELSEWHERE = {"gurney": "The motion of the end-on plate is the [exact solution `plate_push`](exact/plate_push.md)."}
 CALLS = """On the command line a parameter is written `name=value`, with a unit where it has one. The command prints the numbers named
-above, and with `--time T` also the fields at the time `T`. [Exact solutions](../../../theory/exact_solutions.md) describes the options.
+above and, with `--time T`, also the fields at the time `T` of a solution that depends on time.
+[Exact solutions](../../../theory/exact_solutions.md) describes the options.
 
 In Python, `SOLUTIONS["{}"]` of `hugoniot.theory.exact` takes the same parameters and returns an object. Called with positions and a time,
 this object returns the fields as arrays. Its attribute `numbers` is a dictionary of the numbers. Its method `jumps(time)` returns the

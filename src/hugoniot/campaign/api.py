@@ -76,7 +76,7 @@ def fit(deck: str | os.PathLike, to: Sequence[str] | str, free: Mapping[str, str
 
     deck        path of the deck
     to          files of measured records (.csv), or numbers such as "free surface.arrival = 0.63 +- 0.01 us"
-    free        constants to find and their ranges: {"material.al.fracture.strength": "0.5..3 GPa"}, or texts
+    free        constants to find and their ranges: {"material.al.fracture.strength": "0.5..3 GPa"}, or strings as for hugoniot fit --free
     tie         keys that follow from others, as for `sweep`
     out         folder to write (default: the deck's name with .fit); False writes nothing
     workers     number of processes (default: one per processor)

@@ -49,13 +49,13 @@ class Material:
     strength, fracture, burn   parameters of these laws, or None
     valid_up_to         highest particle velocity of the data behind the equation of state, m/s; None: not known
     sources             a `Source` for each constant
-    warnings            texts to print when the material is used
+    warnings            strings to print when the material is used
     unreacted           parameters of the equation of state of an explosive before it burns, or None
     mixture             how reactants and products share a zone; None: chosen by the burn law
     detonation_energy   chemical energy per mass, J/kg; None: from the two equations of state
     reference_state     "rolling" or "frozen", see the deck reference; None: rolling
     library             name of the library's material that this one is or starts from, "" if none: what the library knows of the substance
-                        beside its constants (spall strength, optical data of windows, Pop plots) is looked up by it
+                        besides its constants (spall strength, optical data of windows, Pop plots) is looked up by it
     """
 
     name: str

@@ -29,7 +29,7 @@ class Deck:
 
     problem    the `Problem` that it describes
     resolved   text of the deck with every default written out, in SI
-    warnings   texts that point to likely mistakes
+    warnings   strings that point to likely mistakes
     text       text of the deck as it was read
     name       name of the deck in messages
     """

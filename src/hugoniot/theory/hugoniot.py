@@ -95,9 +95,9 @@ def rayleigh_line(initial: Initial, shock_velocity: float, points: int = 2, part
 def limit(material, initial: Initial | None = None) -> States:
     """The end of the Hugoniot: the state of highest density that a single shock can reach.
 
-    The Hugoniot becomes vertical there, because of a density limit of the equation of state (such as the pole of a linear Us-up relation)
-    or because 1 - (dp/de)(v0 - v)/2 vanishes (Segletes' limit, Starkenberg A-5). Pressure and particle velocity are infinite there, or
-    finite at the edge of a table and for a Us-up relation of slope below 1 (J-E16).
+    At a density limit of the equation of state (such as the pole of a linear Us-up relation), and where 1 - (dp/de)(v0 - v)/2 vanishes
+    (Segletes' limit, Starkenberg A-5), pressure and particle velocity tend to infinity. They are finite at the edge of a table and for a
+    Us-up relation of slope below 1 (J-E16).
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)

@@ -6,8 +6,8 @@ $$p = (1-\lambda)\,p_r(\rho, T) + \lambda\,p_p(\rho, T), \qquad e = (1-\lambda)\
 * $\rho$, $e$, $p$, $T$: density, specific internal energy, pressure and temperature of the mixture
 * $p_r$, $e_r$, $p_p$, $e_p$: pressure and energy of reactants and products; $e_r$ includes the chemical energy $Q$, `detonation_energy`
 
-The products are held at the density of the solid, and the weighted pressure is that of neither phase, so it has no physical meaning
-(Starkenberg, section 4.4). Use this law only to compare with results of CTH from before 1999. Both equations of state must give a
+Products that form in a solid are thus held at its density, and the weighted pressure is that of neither phase, so it has no physical
+meaning (Starkenberg, section 4.4). Use this law only to compare with results of CTH from before 1999. Both equations of state must give a
 temperature and a specific heat.
 
 **Numerical solution.** With $z = e_r - e_p$ one equation remains, the equality of the temperatures, which Newton's method solves.

@@ -14,9 +14,9 @@ For a solid with $U_s = c_0 + s u_p$ the same holds in strong shocks with $c_2 =
 and for $s = 1.33$, which is near that of most metals. For a diatomic gas the value is 0.6. A larger value widens strong shocks without
 any gain.
 
-**Linear coefficient.** With $c_1 = 0.3$ weak shocks in gases and elastic precursors extend over few zones; with $c_1 = 1$ they would be
-smeared (W-E4). In solids and liquids, however, $c_1 = 0.3$ damps the oscillations behind a strong shock too little, and the velocity of a
-free surface overshoots. The coefficient therefore depends on the material:
+**Linear coefficient.** With $c_1 = 0.3$ weak shocks in gases and elastic precursors extend over only a few zones; with $c_1 = 1$ they would
+be smeared (W-E4). In solids and liquids, however, $c_1 = 0.3$ damps the oscillations behind a strong shock too little, and the velocity of
+a free surface overshoots. The coefficient therefore depends on the material:
 
 * gases: $c_1$
 * nonporous solids and liquids without strength: $c_c$ in place of $c_1$
@@ -26,7 +26,8 @@ free surface overshoots. The coefficient therefore depends on the material:
 $$c_1^2 + (c_c^2 - c_1^2)\,\frac{\Delta u^4}{\Delta u^4 + (0.014\,c)^4}$$
 
 If a deck gives `linear` but not `linear_condensed`, $c_c$ has the value of $c_1$. In an explosive that burns by the law `programmed` with
-the mixture `burned_products`, the linear term is zero.
+the mixture `burned_products`, the linear term is zero. If the deck names no viscosity, a run in which something burns has $c_2 = 1$ and
+$c_c = 0.3$.
 """
 
 from typing import NamedTuple

@@ -23,9 +23,10 @@ $$R = \frac\alpha\delta\left[\frac{2}{\sqrt{1-\delta^2}}\arctan\!\left(\sqrt{\fr
   - \phi_e\right], \qquad z = \frac\alpha\delta\ln\frac{1 - \delta\cos\phi}{1 - \delta}$$
 
 **Arc**: a front rotates steadily at the angular velocity $\Omega$ in a ring of explosive. With $\psi$ the outward tilt of its normal from
-the direction of rotation, $D_n = \Omega r\cos\psi$ and $\kappa = \cos\psi\,d\psi/dr + \sin\psi/r$. $\psi$ is given at both edges.
-$\Omega$ is the value for which the integration from the inner edge gives the right $\psi$ at the outer edge. The angle $\vartheta$ by which
-the front lags behind its inner edge follows from $d\vartheta/dr = \tan\psi/r$.
+the direction of rotation, $D_n = \Omega r\cos\psi$ and $\kappa = \cos\psi\,d\psi/dr + \sin\psi/r$. $\psi$ is given at both edges: it is
+minus `inner_angle_degrees` at the inner and `outer_angle_degrees` at the outer edge. $\Omega$ is the value for which the integration from
+the inner edge gives the right $\psi$ at the outer edge. The angle $\vartheta$ by which the front lags behind its inner edge follows from
+$d\vartheta/dr = \tan\psi/r$.
 
 Source: Bdzil, J. Fluid Mech. 108 (1981) 195; Bdzil and Stewart, Phys. Fluids A 1 (1989) 1261; Short and Bdzil, J. Fluid Mech. 479 (2003)
 39; derived for this project.

@@ -16,7 +16,8 @@ The reaction ends at $\tau = 2/k$. From there the CJ state extends unchanged to 
 
 * $D$: `detonation_velocity`; $\rho_0$: initial density, `density`; $\gamma$: `gamma`; $k$: `rate`
 
-Source: Fickett & Davis, Detonation (1979), chapter 5, after Fickett & Rivard; the problem SDRZ of ExactPack (gamma = 3, k = 2/us).
+Source: Fickett & Davis, Detonation (1979), chapter 5, after Fickett & Rivard; the problem SDRZ of ExactPack (gamma = 3, k = 2 per
+microsecond).
 """
 
 import numpy as np

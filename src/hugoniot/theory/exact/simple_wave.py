@@ -69,7 +69,7 @@ def centred_rarefaction(gamma: float = 1.4, density: float = 1.0, pressure: floa
 
 
 def piston_pulse(gamma: float = 1.4, density: float = 1.0, pressure: float = 1.0, speed: float = 0.1, duration: float = 1.0) -> Solution:
-    """Smooth compression: gas at rest in x > 0, driven by a piston with the velocity speed sin^2(pi t/duration), which then stays at rest.
+    """Smooth compression: gas at rest in x > 0, driven by a piston whose velocity is speed times sin^2(pi t/duration) and then 0.
 
     gamma      ratio of specific heats, above 1
     density    density of the gas at rest
