@@ -1,6 +1,7 @@
 """Runs of the two-dimensional solver as such: resuming, threads, what is refused, what ends a run, turning stress."""
 
 import dataclasses
+import math
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.materials.material import Material
 from hugoniot.problem.model import Pulse
+from hugoniot.problem.plane.contact_model import Rigid2D
 from hugoniot.problem.plane.model import Boundary2D, VelocityField
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
@@ -100,3 +102,31 @@ def test_a_pressure_pulse_shorter_than_a_step_has_its_whole_impulse():
     push = Boundary2D(("body.left",), "pressure", Pulse("square", 1e10, 1e-6, 3e-9))
     solver = ran(problem([box(8, 4, 8e-3, 6e-3, name="body", material="al")], aluminium(), 1.3e-6, (push, *walls("body.bottom", "body.top"))))
     assert solver.exchanges()["impulse_x body.left"] == pytest.approx(30.0 * 6e-3, rel=1e-9)
+
+
+MOVED = Pulse("table", times=(1e-6, 1.003e-6, 1.006e-6), values=(0.0, 1e3, 0.0))      # for 6 ns: 3 um
+
+
+@pytest.mark.parametrize(("slip", "direction"), [(True, None), (False, None), (False, (math.cos(0.3), math.sin(0.3)))])
+def test_a_velocity_pulse_shorter_than_a_step_moves_its_edge_whole(slip, direction):
+    """By the values at the ends of steps of 50 ns it moved nothing; the corners are held along two directions."""
+    push = Boundary2D(("body.left",), "velocity", MOVED, slip=slip, direction=direction)
+    sides = () if direction else walls("body.bottom", "body.top")
+    solver = ran(problem([box(8, 4, 8e-3, 6e-3, name="body", material="al")], aluminium(), 1.3e-6, (push, *sides)))
+    moved = solver.nodes[[N.x, N.y], :5].T - solver.initial_nodes[:, :5].T
+    assert moved @ np.array(direction or (1.0, 0.0)) == pytest.approx([3e-6] * 5, rel=1e-8)
+    assert np.abs(solver.nodes[[N.u, N.v], :5]).max() < 1e-9
+    assert solver.errors()["energy_error"] < 1e-12
+    assert solver.errors()["momentum_error"] < 1e-12
+    assert abs(solver.exchanges()["impulse_x body.left"]) > 0.1
+
+
+def test_a_driven_rigid_body_moves_by_the_whole_of_its_history():
+    """A punch at rest on a block, with the velocity of 6 ns in steps of 50 ns, and back to rest."""
+    punch = Rigid2D("punch", ((-1e-3, 0.0), (0.0, 0.0), (0.0, 6e-3), (-1e-3, 6e-3)), closed=True, direction=(1.0, 0.0), pulse=MOVED)
+    given = problem([box(8, 4, 8e-3, 6e-3, name="body", material="al")], aluminium(), 1.3e-6)
+    solver = ran(dataclasses.replace(given, rigid=(punch,)))
+    assert solver.exchanges()["moved_x punch"] == pytest.approx(3e-6, rel=1e-9)
+    assert solver.contact.rigid_velocity()["punch"] == (0.0, 0.0, 0.0)
+    assert solver.errors()["energy_error"] < 1e-12
+    assert solver.exchanges()["work rigid punch"] > 0.0

@@ -77,10 +77,10 @@ def straight(begin, end, pulse, table):
 
 @nb.njit(**GUARD)
 def pulse_mean(begin, end, pulse, table):
-    """Mean of a history between two times, so that its integral does not depend on the steps, however short it is.
+    """Mean of a history between two times, so that its integral does not depend on the steps, however short it is; its value at one time.
 
     Where it is linear its value in the middle, which has no round-off of a difference.
     """
-    if straight(begin, end, pulse, table):
+    if end == begin or straight(begin, end, pulse, table):
         return pulse_value(0.5 * (begin + end), pulse, table)
     return (pulse_integral(end, pulse, table) - pulse_integral(begin, pulse, table)) / (end - begin)

@@ -124,7 +124,7 @@ def hold_specials(run, options, time, dt, span):
     special_nodes.exchange(run.nodes, run.starts, run.members)
     special_nodes.free_motion(run.nodes, run.middle, special, dt, (options.gx, options.gy))
     special_nodes.transmit(run.nodes, run.gates, run.gate_normals, run.chains, dt)
-    special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, time + dt, True)
+    special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, (time, time + dt), True)
     touch(run, time, dt, contact_step.PUSH)
     transmitting.answer(run, dt, options.kind, options.near)
     a, b = between(run.before, bands.LOADS, last, top, lag, run.loads.shape[0])
@@ -132,11 +132,19 @@ def hold_specials(run, options, time, dt, span):
 
 
 @nb.njit(**BY_ADDRESS)
-def hold_drift(run, time, last, top):
+def hold_drift(run, step, last, top):
     """Apply the constraints to velocities extrapolated to the middle of the step; a velocity jump of a driven edge is not extrapolated."""
     a, b = between(run.before, bands.HELD, last, top, bands.NOW, run.held.shape[0])
     held, normals = run.held[a:b], run.held_normals[a:b]
-    special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, time, False)
+    special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, step, False)
+
+
+@nb.njit(**BY_ADDRESS)
+def settle(run, time, span):
+    """Velocities of held nodes of a band at the end of the step."""
+    last, top, lag = span
+    a, b = between(run.before, bands.HELD, last, top, lag, run.held.shape[0])
+    special_nodes.settle(run.nodes, run.held[a:b], run.held_normals[a:b], run.pulses, run.tables, time)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -190,7 +198,7 @@ def try_step(run, plan, options, control):
             look_around(run, plan, last, top)
         take_rows(plan, last, top, bands.NOW)
         everyone(plan, DRIFT)
-        hold_drift(run, time + dt, last, top)
+        hold_drift(run, (time, time + dt), last, top)
         take_rows(plan, last, top, bands.STRESS)
         everyone(plan, PREDICT)
         wrong = tangled(plan)
@@ -203,6 +211,7 @@ def try_step(run, plan, options, control):
         hold_specials(run, options, time, dt, (last, top, bands.MOTION))
         take_rows(plan, last, top, bands.MOTION)
         everyone(plan, MOVE)
+        settle(run, time + dt, (last, top, bands.MOTION))
         if options.gx != 0.0 or options.gy != 0.0:
             power = power_of_body_force(run, options, power, (last, top, bands.MOTION))
         touch(run, time, dt, contact_step.MOVE)
@@ -211,6 +220,7 @@ def try_step(run, plan, options, control):
         wrong = tangled(plan)
         if wrong > 0.0:
             everyone(plan, TAKE_BACK)
+            special_nodes.settle(run.nodes, run.held, run.held_normals, run.pulses, run.tables, time)
             touch(run, time, -dt, contact_step.TAKE_BACK)
             copy(run.kept, run.chains)
             copy(run.ends_kept, run.ends)
@@ -287,9 +297,6 @@ def march(cycles, run, plan, options, control, counters):
 def hold_at_start(run):
     """Velocities of held nodes at t = 0: nothing is recorded."""
     n = rows(L.Nodes, run.nodes, 0)
+    special_nodes.settle(run.nodes, run.held, run.held_normals, run.pulses, run.tables, 0.0)
     for k in range(run.nodes.shape[1]):
-        n.um[k], n.vm[k] = n.u[k], n.v[k]
-    special_nodes.hold(run.nodes, run.middle, run.held, run.held_normals, run.pulses, run.tables, run.chains, 0.0, False)
-    for k in range(run.nodes.shape[1]):
-        n.u[k], n.v[k] = 2.0 * n.um[k] - n.u[k], 2.0 * n.vm[k] - n.v[k]
         n.um[k], n.vm[k] = n.u[k], n.v[k]

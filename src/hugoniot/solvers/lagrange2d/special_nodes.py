@@ -10,7 +10,7 @@ import numba as nb
 from hugoniot.core.passes import rows
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange1d.layout import LEAD, OUTSIDE
-from hugoniot.solvers.lagrange1d.pulses import pulse_mean, pulse_value
+from hugoniot.solvers.lagrange1d.pulses import pulse_mean
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
 
@@ -135,36 +135,68 @@ def transmit(nodes, gates, normals, chains, dt):
             chains[chain, L.CHAIN_IMPULSE_Y] += dt * force * ny
 
 
+@nb.njit(**INLINE)
+def along_both(first, second, ax, ay, bx, by):
+    """(f, s) of the change f (ax, ay) + s (bx, by) whose parts along the two directions are `first` and `second`; they are independent."""
+    overlap = ax * bx + ay * by
+    over = 1.0 / (1.0 - overlap * overlap)
+    return (first - overlap * second) * over, (second - overlap * first) * over
+
+
+@nb.njit(**INLINE)
+def lacking(u, v, given, ax, ay, bx, by, second):
+    """(f, s) of the change f (ax, ay) + s (bx, by) by which the velocity (u, v) gets the values `given` along one or two directions."""
+    f = given[0] - (u * ax + v * ay)
+    return along_both(f, given[1] - (u * bx + v * by), ax, ay, bx, by) if second else (f, 0.0)
+
+
 @nb.njit(**BY_ADDRESS)
-def hold(nodes, middle, held, normals, pulses, tables, chains, time, book):
+def given_velocity(row, pulses, tables, begin, end):
+    """Mean between two times of the velocities that a row of the held nodes has along its two directions, m/s."""
+    one, two = row[L.HOLD_PULSE_1], row[L.HOLD_PULSE_2]
+    return (pulse_mean(begin, end, pulses[one], tables[one]) if one >= 0 else 0.0,
+            pulse_mean(begin, end, pulses[two], tables[two]) if two >= 0 else 0.0)
+
+
+@nb.njit(**BY_ADDRESS)
+def hold(nodes, middle, held, normals, pulses, tables, chains, step, book):
     """Take from the mean velocity what walls, the axis and driven edges do not allow; book their impulse and work.
 
-    held: integers of `layout` HOLD_*; normals: (n1x, n1y, n2x, n2y) of unit directions along which the velocity at the end of the step
-    is that of the pulse (none: 0). Two directions are independent.
+    held: integers of `layout` HOLD_*; normals: (n1x, n1y, n2x, n2y) of unit directions along which the velocity is that of the pulse
+    (none: 0), its mean over the `step`, the times of its beginning and end; what it is at the end is for `settle`.
     """
     n = rows(L.Nodes, nodes, 0)
     for i in range(held.shape[0]):
-        k, m = held[i, L.HOLD_NODE], middle[held[i, L.HOLD_NODE]]
+        k, m, both = held[i, L.HOLD_NODE], middle[held[i, L.HOLD_NODE]], held[i, L.HOLD_CHAIN_2] >= 0
         ax, ay, bx, by = normals[i, 0], normals[i, 1], normals[i, 2], normals[i, 3]
-        u, v = 2.0 * n.um[m] - n.u[k], 2.0 * n.vm[m] - n.v[k]
-        first = -(u * ax + v * ay)
-        if held[i, L.HOLD_PULSE_1] >= 0:
-            first += pulse_value(time, pulses[held[i, L.HOLD_PULSE_1]], tables[held[i, L.HOLD_PULSE_1]])
-        second = 0.0
-        if held[i, L.HOLD_CHAIN_2] >= 0:
-            second = -(u * bx + v * by)
-            if held[i, L.HOLD_PULSE_2] >= 0:
-                second += pulse_value(time, pulses[held[i, L.HOLD_PULSE_2]], tables[held[i, L.HOLD_PULSE_2]])
-            overlap = ax * bx + ay * by
-            over = 1.0 / (1.0 - overlap * overlap)
-            first, second = (first - overlap * second) * over, (second - overlap * first) * over
-        n.um[m] += 0.5 * (first * ax + second * bx)
-        n.vm[m] += 0.5 * (first * ay + second * by)
+        mean = given_velocity(held[i], pulses, tables, step[0], step[1])
+        last = given_velocity(held[i], pulses, tables, step[1], step[1])
+        first, second = lacking(2.0 * n.um[m] - n.u[k], 2.0 * n.vm[m] - n.v[k], last, ax, ay, bx, by, both)
+        f, s = lacking(n.um[m], n.vm[m], mean, ax, ay, bx, by, both)
+        n.um[m] += f * ax + s * bx
+        n.vm[m] += f * ay + s * by
         if book and held[i, L.HOLD_BOOKED] == 1:
-            mass = 1.0 / n.im[k]
+            # a history that bends within the step moves the node by its mean, but accelerates it from end to end
+            mass, u, v = 1.0 / n.im[k], 2.0 * n.um[m] - n.u[k], 2.0 * n.vm[m] - n.v[k]
+            bent, bent_2 = lacking(u, v, last, ax, ay, bx, by, both)
+            u, v = u + bent * ax + bent_2 * bx - n.u[k], v + bent * ay + bent_2 * by - n.v[k]
             book_hold(chains, held[i, L.HOLD_CHAIN_1], mass * first, ax, ay, n.um[m], n.vm[m])
-            if held[i, L.HOLD_CHAIN_2] >= 0:
+            chains[held[i, L.HOLD_CHAIN_1], L.CHAIN_WORK] += 0.5 * mass * bent * (u * ax + v * ay)
+            if both:
                 book_hold(chains, held[i, L.HOLD_CHAIN_2], mass * second, bx, by, n.um[m], n.vm[m])
+                chains[held[i, L.HOLD_CHAIN_2], L.CHAIN_WORK] += 0.5 * mass * bent_2 * (u * bx + v * by)
+
+
+@nb.njit(**BY_ADDRESS)
+def settle(nodes, held, normals, pulses, tables, time):
+    """Give held nodes the velocity of their pulses at a time, where a step has led them on by twice the mean."""
+    n = rows(L.Nodes, nodes, 0)
+    for i in range(held.shape[0]):
+        k, given = held[i, L.HOLD_NODE], given_velocity(held[i], pulses, tables, time, time)
+        ax, ay, bx, by = normals[i, 0], normals[i, 1], normals[i, 2], normals[i, 3]
+        f, s = lacking(n.u[k], n.v[k], given, ax, ay, bx, by, held[i, L.HOLD_CHAIN_2] >= 0)
+        n.u[k] += f * ax + s * bx
+        n.v[k] += f * ay + s * by
 
 
 @nb.njit(**INLINE)

@@ -10,7 +10,7 @@ import math
 import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS, INLINE
-from hugoniot.solvers.lagrange1d.pulses import pulse_value
+from hugoniot.solvers.lagrange1d.pulses import pulse_mean, pulse_value
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact import layout as C
 
@@ -119,8 +119,8 @@ def drive(c, time, dt):
         pulse, q = c.movers[m, C.MOVER_PULSE], c.mover_numbers[m]
         velocity_from(c, m, False)
         if pulse >= 0:
-            speed = pulse_value(time + dt, c.speeds[pulse], c.speed_tables[pulse])
-            q[C.U], q[C.V] = 0.5 * (q[C.U] + speed * q[C.H1X]), 0.5 * (q[C.V] + speed * q[C.H1Y])
+            speed = pulse_mean(time, time + dt, c.speeds[pulse], c.speed_tables[pulse])
+            q[C.U], q[C.V] = speed * q[C.H1X], speed * q[C.H1Y]
         elif q[C.IM] > 0.0:
             gx, gy = 0.5 * dt * c.gx, 0.5 * dt * c.gy
             q[C.U], q[C.V] = q[C.U] + q[C.PXX] * gx + q[C.PXY] * gy, q[C.V] + q[C.PXY] * gx + q[C.PYY] * gy
@@ -128,13 +128,16 @@ def drive(c, time, dt):
 
 
 @nb.njit(**BY_ADDRESS)
-def move_rigid(c, nodes, dt):
-    """Rigid bodies to the end of the step; a negative dt takes them back."""
+def move_rigid(c, nodes, time, dt):
+    """Rigid bodies to the end of the step that starts at `time`; a negative dt takes them back."""
     for m in range(c.movers.shape[0] - c.rigid.shape[0], c.movers.shape[0]):
-        body = c.rigid[c.movers[m, C.MOVER_RIGID]]
+        body, pulse = c.rigid[c.movers[m, C.MOVER_RIGID]], c.movers[m, C.MOVER_PULSE]
         for d in range(3):
             body[C.CENTRE_X + d] += dt * body[C.MEAN_X + d]
             body[C.SPEED_X + d] = 2.0 * body[C.MEAN_X + d] - body[C.SPEED_X + d]
+        if pulse >= 0:
+            speed, q = pulse_value(time + max(dt, 0.0), c.speeds[pulse], c.speed_tables[pulse]), c.mover_numbers[m]
+            body[C.SPEED_X], body[C.SPEED_Y] = speed * q[C.H1X], speed * q[C.H1Y]
         for i in range(c.copies_start[m], c.copies_start[m + 1]):
             k = c.copies[i]
             nodes[X, k] += dt * nodes[UM, k]

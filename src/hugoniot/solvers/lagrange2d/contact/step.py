@@ -164,7 +164,7 @@ def of_step(c, time, dt, moment):
     if moment == READY:
         return make_ready(c, c.nodes, dt)
     if moment in (MOVE, TAKE_BACK):
-        move_rigid(c, c.nodes, dt)
+        move_rigid(c, c.nodes, time, dt)
     elif moment == ACCEPT:
         accept(c, dt)
     elif moment == CLOSE and c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
