@@ -8,10 +8,13 @@ from hugoniot.laws.eos import snow_plough
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials.material import Material
+from hugoniot.mesh.shapes import Box
 from hugoniot.output.run_numbers import gauge_rows
 from hugoniot.problem.catalogue import deck_text
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Region, SolverOptions
+from hugoniot.problem.plane.contact_model import Contact2D
+from hugoniot.problem.plane.model import Block2D, Boundary2D, Gauge2D, Problem2D, VelocityField
 from hugoniot.theory.exact.elastic_plastic_piston import Solid, waves
 from hugoniot.theory.hugoniot import shock
 from hugoniot.theory.impedance import match
@@ -135,3 +138,24 @@ def test_the_impact_arrives_at_its_face_at_once(tmp_path, target, kind):
     if target != "porous" or kind == "fronts":      # behind a captured crushing shock the stress rings
         met = match([laws["aluminium"], laws[target]], 600.0)[0]
         assert rows["face"]["plateau_stress"] == pytest.approx(met.pressure, rel=0.01)
+
+
+@pytest.mark.parametrize("joined", [True, False])
+def test_the_impact_arrives_at_its_face_at_once_in_the_plane(tmp_path, joined):
+    """The release after 2 H / D was taken for the first wave by points, sides, joints and lines of sight, and what it left for the plateau."""
+    law = MieGruneisen(2700.0, 5200.0, 1.5, 2.0)
+    blocks = (Block2D("flyer", "al", Box((-2e-3, 0.0), (0.0, 2e-4)), (20, 2), velocity=VelocityField((700.0, 0.0))),
+              Block2D("target", "al", Box((0.0, 4e-3), (0.0, 2e-4)), (40, 2)))
+    gauges = [Gauge2D("point", "point", (0.0, 1e-4)), Gauge2D("surface", "edge", on="target.right")]
+    gauges += [Gauge2D("joint", "edge", on="flyer/target")] if joined else [
+        Gauge2D("flyer side", "edge", on="flyer.right"), Gauge2D("target side", "edge", on="target.left"),
+        Gauge2D("sight", "slit", (-5e-3, 1e-4), "target.left", (1.0, 0.0))]
+    walls = tuple(Boundary2D((f"{name}.{side}",), "wall") for name in ("flyer", "target") for side in ("bottom", "top"))
+    problem = Problem2D("face", "plane", 1.1e-6, blocks, {"al": Material("al", law)}, walls, tuple(gauges),
+                        contacts=() if joined else (Contact2D(("flyer", "target")),), output=OutputOptions(report=False, gauge_interval=5e-9))
+    rows = {row["gauge"]: row for row in gauge_rows(hugoniot.run(problem, tmp_path / "run"))}
+    assert rows.pop("surface")["arrival"] == pytest.approx(4e-3 / shock(law, particle_velocity=350.0).shock_velocity, rel=0.02)
+    for row in rows.values():
+        assert row["arrival"] == 0.0
+        assert abs(row["plateau_velocity"]) == pytest.approx(350.0, rel=0.01)
+    assert rows["point"]["plateau_pressure"] == pytest.approx(shock(law, particle_velocity=350.0).pressure, rel=0.01)

@@ -10,6 +10,7 @@ from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.output.recorder import Recorder
 from hugoniot.output.setup_record import material_record, plain, references_of
 from hugoniot.problem.plane.contact_model import centre_of
+from hugoniot.problem.plane.impacts import struck_gauges
 
 METHODS = (
     "Compatible staggered Lagrangian differences: E. J. Caramana, D. E. Burton, M. J. Shashkov, P. P. Whalen, "
@@ -37,7 +38,8 @@ def plane_record(problem, meta: dict) -> dict:
         "contacts": [plain(contact) for contact in problem.contacts],
         "rigid": [plain(body) | {"centre": list(centre_of(body))} for body in problem.rigid],
         "interfaces": [], "joints": list(problem.mesh.joints), "body_force": list(problem.body_force),
-        "gauges": [plain(gauge) for gauge in problem.gauges], "lighting": [plain(point) for point in problem.lighting],
+        "gauges": [plain(gauge) for gauge in problem.gauges], "struck": struck_gauges(problem),
+        "lighting": [plain(point) for point in problem.lighting],
         "materials": {name: material_record(problem.materials[name]) for name in sorted({b.material for b in problem.blocks})},
         "viscosity": None, "transport": None,
     }

@@ -73,12 +73,13 @@ def gauge_rows(run: Run) -> list[dict]:
         place = table["position"][:end, k] if "position" in table else None
         loads = [] if stress is None else [change * out] if plane and out else [stress, change * out]
         row["arrival"], row["second_arrival"] = arrivals(time, change, *loads, position=place) if moved else (float("nan"), float("nan"))
-        if at_impact(run.setup, gauge):
+        inside, struck = gauge.get("kind", "point") == "point", at_impact(run.setup, gauge)
+        if struck:
             row |= {"arrival": 0.0, "second_arrival": float("nan")}
-        stress = stress if gauge.get("kind", "point") == "point" else None
-        levels = _levels(time, velocity, change, stress, row["arrival"], moved)
+        # what is recorded on a side is the stress of the zones beside it, which says when a face is pressed, but not how much
+        levels = _levels(time, velocity, change, stress if inside or struck else None, row["arrival"], moved)
         if word in table:
-            row |= {f"{part}_{word}": levels.get(part, float("nan")) for part in ("peak", "plateau", "lowest")}
+            row |= {f"{part}_{word}": levels.get(part, float("nan")) if inside else float("nan") for part in ("peak", "plateau", "lowest")}
         row |= {f"{part}_velocity": levels[f"{part}_velocity"] for part in ("peak", "plateau", "last")}
         if end < len(table["time"]):
             row["last_velocity"] = float("nan")
@@ -101,11 +102,13 @@ def _scales(run: Run, word: str) -> tuple[float, float]:
 
 
 def at_impact(setup, gauge: Mapping) -> bool:
-    """Whether a gauge sits where two bodies that touch differ in velocity at t = 0, in one dimension: the first waves start there then.
+    """Whether a gauge sits where two bodies that touch differ in velocity at t = 0: the first waves start there then.
 
     Its record begins at that velocity or between the two, and later waves were taken for the first one.
     """
-    regions, at = [] if "axes" in setup else setup["regions"], gauge.get("at")
+    if "axes" in setup:
+        return gauge.get("name") in setup.get("struck", ())      # missing from runs of earlier versions
+    regions, at = setup["regions"], gauge.get("at")
     pairs = [(a, b) for a, b in zip(regions, regions[1:])
              if a["end"] == b["start"] and np.ravel(a["velocity"])[-1] != np.ravel(b["velocity"])[0]]
     places = [(f"{a['name']}/{b['name']}", f"{a['name']}:right", f"{b['name']}:left") for a, b in pairs]

@@ -28,7 +28,7 @@ _POINT = [Number]
 _PLANE = {
     **_COMMON, "axes": [Text], "solver": {"kind": Text, "integrator": Text},
     "regions": [{"name": Text, "material": Text, "zones": [Whole]}], "boundaries": {...: {"kind": Text}}, "chains": {...: [[_POINT]]},
-    "gauges": [{"name": Text, "kind": Text, "at": (list, Nothing)}], "lighting": [{"at?": (list, Nothing)}],
+    "gauges": [{"name": Text, "kind": Text, "at": (list, Nothing)}], "struck?": [Text], "lighting": [{"at?": (list, Nothing)}],
     "rigid?": [{"name": Text, "points": [_POINT], "closed": (bool,), "centre": _POINT}]}
 _COUNTED = ("zone_updates", "voids_opened", "voids_closed", "interfaces_separated")
 _SUMMARY = {"title": Text, "status": Text, "solver": Text, "version": Text, "time": Number, "cycles": Whole,
