@@ -10,14 +10,13 @@ from hugoniot.diagnostics.arrival import arrivals
 from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.diagnostics.velocimetry import durations, flat_stretch, level_over
 from hugoniot.output.columns import PER_AREA
+from hugoniot.output.focus import at_focus
 from hugoniot.output.run import Run, largest_value
 from hugoniot.output.spall_reading import NOISE, spall_reading
 from hugoniot.output.spall_records import SURFACE, surface_record
 from hugoniot.problem.forming import settled
 from hugoniot.units import format_si
 
-FOCUS = 4             # zones at the axis or centre, in which the stress of a converging wave is limited by the mesh alone
-PEAKED = 1.2          # times the value that many zones farther out: what is less is a state that is nearly uniform there
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
 GAUGE_UNITS = {"arrival": "s", "second_arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa",
                "peak_pressure": "Pa", "plateau_pressure": "Pa", "lowest_pressure": "Pa",
@@ -211,8 +210,8 @@ def highest(run: Run) -> dict:
         if counted is values and form.any():
             found[f"{word}_forming"] = True
         k = int(np.argmax(counted))
-        if run.setup["geometry"] in ("cylindrical", "spherical") and run.setup["regions"][0]["start"] == 0.0 and k < FOCUS:
-            found |= {f"{word}_focus": True} if values[k] > PEAKED * values[min(k + FOCUS, len(values) - 1)] else {}
+        if at_focus(run.setup, values, k):
+            found[f"{word}_focus"] = True
         found |= {word: float(values[k]), f"{word}_region": str(peaks["region"][k]), f"{word}_at": [float(x[k]) for x in centres]}
     seen = surface_record(run)
     change, noise = np.abs(seen.velocity - seen.start), NOISE * largest_value(run, "velocity")

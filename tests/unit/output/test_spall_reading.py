@@ -22,7 +22,9 @@ from hugoniot.laws.eos.mie_gruneisen_cubic import MieGruneisenCubic
 from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.materials.initial_state import energy_at_pressure
 from hugoniot.materials.material import Material
+from hugoniot.mesh.shapes import Box
 from hugoniot.output.compare import compare
+from hugoniot.output.focus import at_focus
 from hugoniot.output.run_numbers import gauge_rows, highest, highest_rows, is_lower_bound, spall_numbers
 from hugoniot.output.setup_record import setup_record
 from hugoniot.output.spall_reading import constants_of, read_record, reading_of, spall_reading, through_window
@@ -31,6 +33,7 @@ from hugoniot.plotting.records import free_surface as free_surface_velocity
 from hugoniot.problem import catalogue
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Profile, Pulse, Region
+from hugoniot.problem.plane.model import Block2D, Boundary2D, Problem2D, VelocityField
 from hugoniot.report import write_report
 from hugoniot.report.page import _spall_words, _through
 from hugoniot.theory.hugoniot import shock
@@ -352,6 +355,35 @@ def test_the_stress_at_the_focus_of_a_converging_wave_is_marked(tmp_path, geomet
         found.append(highest(done)["stress"])
         assert ("stress_focus" in highest(done)) == focus == ("depends on the mesh" in dict((row[0], row[2]) for row in highest_rows(done))["stress"])
     assert (found[1] > 1.2 * found[0]) == focus
+
+
+@pytest.mark.parametrize("shape", ["cylinder", "rod"])
+def test_the_stress_at_the_focus_on_the_axis_of_the_plane_is_marked(tmp_path, shape):
+    """That of a pressed cylinder; the foot of a rod, whose stress falls off towards its rim, is not one."""
+    if shape == "cylinder":
+        block, walls = Block2D("b", "al", Box((0.0, 5e-3), (0.0, 1e-3)), (10, 2)), ("b.bottom", "b.top")
+        load = (Boundary2D(("b.right",), "pressure", Pulse("constant", 2e9)),)
+    else:
+        block, walls, load = Block2D("b", "al", Box((0.0, 5e-3), (0.0, 20e-3)), (10, 40), velocity=VelocityField((0.0, -600.0))), ("b.bottom",), ()
+    problem = Problem2D("axis", "axisymmetric", 1.2e-6, (block,), {"al": Material("al", ALUMINIUM)}, (*load, Boundary2D(walls, "wall")),
+                        output=OutputOptions(report=False))
+    done = run(problem, out=tmp_path / "in")
+    marked = "depends on the mesh" in {row[0]: row[2] for row in highest_rows(done)}["stress"]
+    assert ("stress_focus" in highest(done)) == marked == (shape == "cylinder")
+
+
+@pytest.mark.parametrize("per_cell", [1, 2])
+@pytest.mark.parametrize("side", ["left", "right", "bottom", "top"])
+def test_a_focus_is_found_at_each_side_on_the_axis(side, per_cell):
+    """Of a stress that falls off as 1/r from that side, in quadrilaterals and in triangles, whose columns hold lower and upper ones."""
+    i, j = np.meshgrid(np.arange(6), np.arange(8), indexing="ij")
+    away = {"left": i, "right": 5 - i, "bottom": j, "top": 7 - j}[side][:, None, :].repeat(per_cell, axis=1).ravel()
+    blocks = [{"name": "a", "zones": [2, 3]}, {"name": "b", "zones": [6, 8]}]
+    values = np.concatenate([np.zeros(6 * per_cell), 1.0 / (0.5 + away)])
+    for at in ("left", "right", "bottom", "top"):
+        setup = {"geometry": "axisymmetric", "regions": blocks, "boundaries": {f"b.{at}": {"kind": "axis"}}}
+        found = [at_focus(setup, values, 6 * per_cell + int(k)) for k in np.flatnonzero(away == 0)]
+        assert all(found) if at == side else not any(found)
 
 
 def test_an_interface_with_an_explosive_is_no_window(tmp_path):
