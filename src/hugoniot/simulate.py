@@ -261,6 +261,11 @@ def _doubts(problem: Problem, solver: Solver) -> list[str]:
         return []
     peaks = solver.peaks()
     found = overstretched(problem, solver.region_of, peaks["peak_tension"])
+    if problem.solver.kind == "lagrange2d":
+        from hugoniot.diagnostics.transmitting import measured_at_edges
+        from hugoniot.solvers.lagrange2d.transmitting import missing as missing_at_edges
+
+        found += measured_at_edges(problem, peaks["peak_stress"], missing_at_edges(problem, solver.ends))
     if problem.solver.kind == "lagrange1d":
         from hugoniot.diagnostics.spall_planes import unresolved
         from hugoniot.diagnostics.transmitting import measured

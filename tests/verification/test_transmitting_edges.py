@@ -12,12 +12,17 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parents[1] / "unit" / "solvers2d"))
 from plane_builders import Boundary2D, Pulse, Viscosity2D, box, problem, ran, walls
 
+from hugoniot.diagnostics.transmitting import measured_at_edges
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials.material import Material
+from hugoniot.problem.model import Boundary, Problem, Region, SolverOptions
 from hugoniot.problem.plane.model import VelocityField
+from hugoniot.simulate import final_warnings, make_solver
+from hugoniot.solvers.lagrange1d.transmitting import missing as missing_on_the_line
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
+from hugoniot.solvers.lagrange2d.transmitting import missing
 
 FLUORIDE, COPPER = MieGruneisen(2640.0, 5150.0, 1.35, 1.6), MieGruneisen(8930.0, 3940.0, 1.489, 1.99)
 MATERIALS = {"fluid": Material("m", FLUORIDE), "LiF": Material("m", FLUORIDE, PerfectlyPlastic(49e9, 0.36e9)),
@@ -110,3 +115,24 @@ def test_a_run_with_transmitting_edges_resumes_in_the_same_bits():
         while solver.time < 2e-6:
             solver.march(2e-6, cycles)
     assert all(np.array_equal(getattr(whole, name), getattr(resumed, name)) for name in ("zones", "nodes", "chains", "ends"))
+
+
+@pytest.mark.parametrize("side", ["right", "bottom"])
+def test_the_echo_that_is_missing_is_estimated_and_warned_of_as_in_one_dimension(side):
+    """Beyond the end of LiF under 4 GPa for 0.5 us the elastic release overtakes the shock (`test_transmitting_ends`); in time, or not."""
+    for stop, warned in ((4e-6, True), (1.6e-6, False)):
+        solver = strip(1, "LiF", "square", 4e9, 0.5e-6, side, stop=stop)
+        while solver.time < stop:
+            solver.march(stop, 100_000)
+        pulse = Boundary("pressure", Pulse("square", amplitude=4e9, duration=0.5e-6))
+        line = make_solver(Problem("line", "planar", stop, (Region("b", "m", 0.0, LENGTH, ZONES),), {"m": MATERIALS["LiF"]}, pulse,
+                                   Boundary("transmitting"), solver=SolverOptions(largest_step=STEP, initial_step=STEP)))
+        while line.time < stop:
+            line.march(stop, 100_000)
+        (echoes,) = missing(solver.problem, solver.ends).values()
+        assert echoes == pytest.approx([missing_on_the_line(line.control)[1]], rel=1e-3, abs=1e3)
+        words = measured_at_edges(solver.problem, solver.peaks()["peak_stress"], {f"b.{side}": echoes})
+        assert len(words) == warned
+        if warned:
+            assert f"edge 'b.{side}' would send back a wave of up to about {echoes[0] / solver.peaks()['peak_stress'][{'right': -1, 'bottom': 0}[side]]:.0%}" in words[0]
+            assert words == final_warnings(solver.problem, solver, ())[-1:]

@@ -11,9 +11,11 @@ import numpy as np
 
 from hugoniot.laws.eos.contract import pressure, reference_state, sound_speed_squared
 from hugoniot.problem.model import Problem
+from hugoniot.problem.plane.model import Problem2D
 
 SMALLEST = 1e-4    # of rho c^2: waves below are sound
 FLUID, SOLID = 0.08, 0.11    # largest echo over the wave that reached the end, in fluids and where there is strength
+RADIAL = 0.5       # radial part of the normal from which an edge has curved waves
 FAITHFUL = 0.01    # part of a plane wave that an end may send back, or fail to, without a warning
 
 
@@ -28,7 +30,7 @@ def expected(problem: Problem) -> list[str]:
         if problem.geometry != "planar":
             found.append(_words(problem, side))
         elif (part := echo_over_wave(problem, side)) > FAITHFUL:
-            found.append(_missing(side, f"up to {part:.0%}"))
+            found.append(_missing(f"{side} end", f"up to {part:.0%}"))
     return found
 
 
@@ -43,15 +45,45 @@ def measured(problem: Problem, peak_stress: np.ndarray, missing: tuple[float, fl
         if not _transmits(problem, side):
             continue
         law = problem.materials[region.material].eos
-        rho, e = reference_state(law)
-        wave = peak_stress[zone] - pressure(rho, e, law)
-        if not wave > SMALLEST * rho * sound_speed_squared(rho, e, law):
+        wave = peak_stress[zone] - _ambient(law)
+        if not wave > _sound(law):
             continue
         if problem.geometry != "planar":
             found.append(_words(problem, side))
         elif echo > FAITHFUL * wave:
-            found.append(_missing(side, f"about {echo / wave:.0%}"))
+            found.append(_missing(f"{side} end", f"about {echo / wave:.0%}"))
     return found
+
+
+def measured_at_edges(problem: Problem2D, peak_stress: np.ndarray, missing: dict[str, np.ndarray]) -> list[str]:
+    """The same for a finished run in two dimensions, of the edge of each transmitting chain whose echo is the largest part of its wave.
+
+    missing   stress of the echo beyond every edge of the transmitting chains, were waves plane, Pa
+    """
+    found = []
+    for name, echo in missing.items():
+        chain = problem.mesh.chains[name]
+        material = problem.materials[problem.blocks[chain.block].material]
+        wave = peak_stress[chain.zones] - _ambient(material.eos)
+        strong = wave > _sound(material.eos)
+        facing = float(problem.mesh.outward_normals(chain)[0].mean()) if problem.geometry == "axisymmetric" else 0.0
+        if abs(facing) > RADIAL and strong.any():
+            solid = material.strength is not None
+            found.append(_converging(f"edge '{name}'") if facing < 0.0 else _spreading(f"edge '{name}' around the axis", solid))
+        elif (part := np.max(echo[strong] / wave[strong], initial=0.0)) > FAITHFUL:
+            found.append(_missing(f"edge '{name}'", f"up to about {part:.0%}"))
+    return found
+
+
+def _ambient(law) -> float:
+    """Pressure of the reference state, Pa."""
+    return float(pressure(*reference_state(law), law))
+
+
+def _sound(law) -> float:
+    """Stress below which a wave is sound, Pa."""
+    rho, e = reference_state(law)
+    return float(SMALLEST * rho * sound_speed_squared(rho, e, law))
 
 
 def _transmits(problem: Problem, side: str) -> bool:
@@ -62,13 +94,20 @@ def _transmits(problem: Problem, side: str) -> bool:
 
 def _words(problem: Problem, side: str) -> str:
     if side == "left":
-        return ("the transmitting left end treats a converging wave as plane: a wave that would run to the axis or "
-                "the origin and come back is lost")
-    solid = problem.materials[problem.regions[-1].material].strength is not None
-    return (f"the transmitting right end of this {problem.geometry} problem is exact for sound only: up to {SOLID if solid else FLUID:.0%} "
+        return _converging("left end")
+    return _spreading(f"right end of this {problem.geometry} problem", problem.materials[problem.regions[-1].material].strength is not None)
+
+
+def _converging(end: str) -> str:
+    return (f"the transmitting {end} treats a converging wave as plane: a wave that would run to the axis or "
+            "the origin and come back is lost")
+
+
+def _spreading(end: str, solid: bool) -> str:
+    return (f"the transmitting {end} is exact for sound only: up to {SOLID if solid else FLUID:.0%} "
             "of a strong wave comes back; move the end far enough away that its echo reaches no gauge before the run ends")
 
 
-def _missing(side: str, part: str) -> str:
-    return (f"material beyond the transmitting {side} end would send back a wave of {part} of the stress that reaches the end, "
+def _missing(end: str, part: str) -> str:
+    return (f"material beyond the transmitting {end} would send back a wave of {part} of the stress that reaches it, "
             "because the elastic release overtakes the shock there; the run lacks this wave: move the end farther away")

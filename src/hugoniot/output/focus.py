@@ -19,7 +19,7 @@ def _falls_off(row: np.ndarray) -> bool:
 
 
 def _rows_outward(setup, zone: int, count: int) -> list[np.ndarray]:
-    """Up to 2 FOCUS zones behind a zone and itself, outward from the axis or centre, if it is one of the first FOCUS there; more than FOCUS.
+    """A zone and up to 2 FOCUS more outward from the axis or centre, if it is one of the first FOCUS there and more than FOCUS follow.
 
     In two dimensions they are of its block; count: zones of the run.
     """

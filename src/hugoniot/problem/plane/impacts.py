@@ -1,5 +1,7 @@
 """Faces on which bodies of the plane that touch collide or part at t = 0: waves start there at once."""
 
+from typing import cast
+
 import numpy as np
 
 from hugoniot.mesh.joining import distance_to_edges
@@ -49,12 +51,13 @@ def _differ(problem: Problem2D, edges, one, other) -> np.ndarray:
 def _sees(gauge: Gauge2D, mesh, faces: dict[str, np.ndarray]) -> bool:
     """Whether a gauge is on an edge of these faces."""
     if gauge.kind == "point":
-        place = np.reshape(gauge.at, (2, 1))
+        place = np.array(gauge.at).reshape(2, 1)
         return any(distance_to_edges(place, *np.moveaxis(mesh.nodes[:, edges], 2, 0))[0][0] < TOUCHING for edges in faces.values())
     if gauge.on not in faces or gauge.kind == "edge":
         return gauge.on in faces
     edges = mesh.chains[gauge.on].edges
-    (x, y), (a, b) = mesh.nodes[:, edges] - np.reshape(gauge.at, (2, 1, 1)), gauge.direction
+    # a line of sight, which has a direction
+    (x, y), (a, b) = mesh.nodes[:, edges] - np.array(gauge.at).reshape(2, 1, 1), cast(tuple, gauge.direction)
     aside = a * y - b * x
     crossed = (aside[:, 0] > 0.0) != (aside[:, 1] > 0.0)
     farthest = np.where(crossed, (a * x + b * y).mean(axis=1), -np.inf).argmax()

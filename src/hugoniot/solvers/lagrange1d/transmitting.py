@@ -155,10 +155,15 @@ def remember(control, zones) -> None:
 def await_echoes(control, zones, problem) -> None:
     """What both ends need to count the echo that is missing: bulk impedances at t = 0, where there is strength, and the time of the run."""
     for end, region, zone in ((L.END_LEFT, problem.regions[0], 0), (L.END_RIGHT, problem.regions[-1], -1)):
-        material, rho = problem.materials[region.material], zones[Z.rho, zone]
-        control[end + L.REMAINING] = problem.stop_time
-        if material.strength is not None:
-            control[end + L.BULK] = rho * sound_speed(rho, zones[Z.e, zone], material.eos)
+        material, memory = problem.materials[region.material], control[end:end + L.END_FLOATS]
+        await_echo(memory, material, zones[Z.rho, zone], zones[Z.e, zone], problem.stop_time)
+
+
+def await_echo(memory, material, rho: float, e: float, stop_time: float) -> None:
+    """The same of one end whose zone has this density, kg/m3, and energy, J/kg."""
+    memory[L.REMAINING] = stop_time
+    if material.strength is not None:
+        memory[L.BULK] = rho * sound_speed(rho, e, material.eos)
 
 
 def missing(control) -> tuple[float, float]:

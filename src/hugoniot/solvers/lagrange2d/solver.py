@@ -128,7 +128,7 @@ class Lagrange2D(Shown, NothingToAdd):
         control[L.RATE] = accounts.signal_rate(self)
         first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
         control[L.DT_NATURAL] = first / control[L.GROWTH]
-        transmitting.begin(self.run, self.kind, self.options.near)
+        transmitting.begin(self.run, self.kind, self.options.near, self.problem)
         self.rewind.forget()
         self.start_energy, self.start_mass = accounts.total_energy(self.zones, self.nodes), self.zones[Z.mass].sum()
         self.start_momentum = accounts.momentum(self.nodes)

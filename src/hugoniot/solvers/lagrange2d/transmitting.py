@@ -12,7 +12,7 @@ import numpy as np
 from hugoniot.core.passes import rows
 from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.lagrange1d import layout as one
-from hugoniot.solvers.lagrange1d.transmitting import BEHIND, answer_of, begin_memory, follow
+from hugoniot.solvers.lagrange1d.transmitting import BEHIND, answer_of, await_echo, begin_memory, follow
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.quads import PLANAR
 from hugoniot.solvers.lagrange2d.smoothness import DIRECTION, GHOST, NODE_A, NODE_B, OWN
@@ -101,7 +101,7 @@ def tables(edges, ghosts, numbering) -> tuple:
     return np.zeros((len(edges.gates), 2)), edges.open_edges, ends, ends.copy(), np.zeros((3, one.REACH))
 
 
-def begin(run, kind, near) -> None:
+def begin(run, kind, near, problem) -> None:
     """Edges at t = 0: the stress of their zones holds outside."""
     n, z = L.Nodes(*run.nodes), L.Zones(*run.zones)
     for edge, memory in zip(run.open_edges, run.ends):
@@ -112,6 +112,19 @@ def begin(run, kind, near) -> None:
         memory[one.ZONES] = count
         memory[one.OUTSIDE] = memory[one.AMBIENT] = run.seen[STRESS, 0]
         begin_memory(memory[:one.END_FLOATS], run.seen[STRESS, :count], run.seen[DENSITY, :count])
+        zone = edge[L.OPEN_ZONE]
+        material = problem.materials[problem.blocks[problem.mesh.block_of[zone]].material]
+        await_echo(memory, material, z.rho[zone], z.e[zone], problem.stop_time)
+
+
+def missing(problem, ends) -> dict[str, np.ndarray]:
+    """Stress (n,), Pa, of the echo that material beyond each edge of a transmitting chain would have sent back so far, were waves plane."""
+    found, first = {}, 0
+    for name, boundary in problem.chain_boundaries().items():
+        if boundary.kind == "transmitting":
+            last = first + len(problem.mesh.chains[name].edges)
+            found[name], first = ends[first:last, one.MISSING].copy(), last
+    return found
 
 
 def open_edge_table(mesh, numbering, chains: list[str], gates, loads) -> np.ndarray:
