@@ -204,9 +204,9 @@ def peaks(run, field: str = "stress", ax=None):
 _PARTS = (("kinetic_energy", "kinetic"), ("internal_energy", "internal"), ("pressure_work_and_heat", "pressure work and heat"),
           ("elastic_deviator_energy", "elastic shear energy"), ("plastic_work", "plastic work"), ("viscous_work", "viscous work"),
           ("boundary_work", "boundary work"), ("released_heat", "heat released"),
-          ("supplied_heat", "heat supplied"), ("force_work", "work of the body force"))
+          ("supplied_heat", "heat supplied"), ("force_work", "work of the body force"), ("eroded_energy", "energy of dropped mass"))
 PALE = ("#999999", "#8c564b")      # more parts than there are colours
-_WHOLE = ("kinetic", "internal", "boundary work", "heat supplied", "work of the body force")
+_WHOLE = ("kinetic", "internal", "boundary work", "heat supplied", "work of the body force", "energy of dropped mass")
 
 
 @styled

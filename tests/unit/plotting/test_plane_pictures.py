@@ -20,7 +20,7 @@ from hugoniot.plotting.animate import Gif, animate
 from hugoniot.plotting.plane import borders, plane_setup
 from hugoniot.plotting.records import gauge
 from hugoniot.problem.model import Pulse
-from hugoniot.problem.plane.model import Boundary2D
+from hugoniot.problem.plane.model import Boundary2D, Erosion2D, VelocityField
 from hugoniot.report import write_report
 
 matplotlib.use("Agg")
@@ -185,3 +185,16 @@ def test_what_is_drawn_of_the_energy_adds_up(tmp_path, force, boundaries, words)
     assert lines[words] == pytest.approx(lines["kinetic"] + lines.get("internal", 0.0), rel=1e-3) and lines[words] > 0.0
     if any(force):
         assert lines[words] == pytest.approx(0.5 * 2700.0 * 1e-6 * (1e6 * 1e-6) ** 2, rel=1e-9) and found.unit("budget", "force_work") == "J/m"
+
+
+def test_the_energy_of_dropped_mass_is_drawn(tmp_path):
+    """A rod on a block of its own metal, without a load: what they lose went with the zones that left."""
+    block, moving = (box(*size, name=name, material="al", velocity=VelocityField(base=(0.0, speed))) for *size, name, speed in (
+        (8, 8, 8e-3, 8e-3, (0.0, -8e-3), "target", 0.0), (2, 10, 2e-3, 10e-3, (0.0, 1e-5), "rod", -2000.0)))
+    found = hugoniot.run(problem([block, moving], aluminium(), 3e-6, (), "axisymmetric", erosion=Erosion2D(0.5, None, "dropped")), out=tmp_path / "rod.run")
+    assert found.summary["zones_eroded"] > 3
+    ax = found.plot.budget()
+    lines = {text.get_text(): line.get_ydata()[-1] - line.get_ydata()[0] for text, line in zip(ax.texts, ax.lines)}
+    assert lines["energy of dropped mass"] > 0.0
+    assert lines["kinetic"] + lines["internal"] == pytest.approx(-lines["energy of dropped mass"], rel=1e-9)
+    assert found.unit("budget", "eroded_energy") == "J/rad"

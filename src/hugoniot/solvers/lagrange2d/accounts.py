@@ -97,7 +97,8 @@ def signal_rate(solver) -> float:
 
 
 def exchanges(solver) -> dict[str, float]:
-    """Work (J) and impulse (kg m/s) of every chain of edges so far, the work of a body force (J), and the heat that burning released (J).
+    """Work (J) and impulse (kg m/s) of every chain of edges so far, the work of a body force (J), and the heat that burning released (J);
+    mass (kg), momentum and energy of eroded zones whose mass is dropped.
 
     What a wall that lets go, which is a rigid body of the name of its chain, does to the material is counted for the chain.
     """
@@ -107,7 +108,7 @@ def exchanges(solver) -> dict[str, float]:
         name = plain if plain in solver.problem.mesh.chains else name
         for word, value in zip(("work", "impulse_x", "impulse_y"), values):
             found[f"{word} {name}"] = found.get(f"{word} {name}", 0.0) + float(value)
-    found |= solver.contact.exchanges()
+    found |= solver.contact.exchanges() | solver.erosion.exchanges()
     if any(solver.problem.body_force):
         found["force_work"] = float(solver.control[L.GRAVITY_WORK])
     if solver.burning:

@@ -142,9 +142,13 @@ class Erosion:
         z, gone = self.solver.zones, ~self.live
         found = {"zones_eroded": int(gone.sum())}
         if self.law.mass == "dropped":
-            names = ("eroded_mass", "eroded_momentum_x", "eroded_momentum_y", "eroded_energy")
-            return found | dict(zip(names, map(float, self.dropped)))
+            return found | self.exchanges()
         return found | {"eroded_mass": float(z[Z.mass, gone].sum()), "eroded_energy": float((z[Z.mass, gone] * z[Z.e, gone]).sum())}
+
+    def exchanges(self) -> dict[str, float]:
+        """Mass, momentum and energy that have been dropped so far; of zones whose mass is kept they are still among those of the body."""
+        names = ("eroded_mass", "eroded_momentum_x", "eroded_momentum_y", "eroded_energy")
+        return dict(zip(names, map(float, self.dropped))) if self.law.mass == "dropped" else {}
 
 
 class NoErosion:
@@ -164,7 +168,7 @@ class NoErosion:
     def payload(self) -> dict:
         return {}
 
-    results = payload
+    results = exchanges = payload
 
     def restore(self, payload: dict) -> None:
         pass

@@ -140,14 +140,6 @@ def hold_drift(run, step, last, top):
 
 
 @nb.njit(**BY_ADDRESS)
-def settle(run, time, span):
-    """Velocities of held nodes of a band at the end of the step."""
-    last, top, lag = span
-    a, b = between(run.before, bands.HELD, last, top, lag, run.held.shape[0])
-    special_nodes.settle(run.nodes, run.held[a:b], run.held_normals[a:b], run.pulses, run.tables, time)
-
-
-@nb.njit(**BY_ADDRESS)
 def copy(table, to):
     """Copy a table of the chains or the transmitting edges."""
     for i in range(table.shape[0]):
@@ -211,7 +203,8 @@ def try_step(run, plan, options, control):
         hold_specials(run, options, time, dt, (last, top, bands.MOTION))
         take_rows(plan, last, top, bands.MOTION)
         everyone(plan, MOVE)
-        settle(run, time + dt, (last, top, bands.MOTION))
+        a, b = between(run.before, bands.HELD, last, top, bands.MOTION, run.held.shape[0])
+        special_nodes.settle(run.nodes, run.held[a:b], run.held_normals[a:b], run.pulses, run.tables, time + dt)
         if options.gx != 0.0 or options.gy != 0.0:
             power = power_of_body_force(run, options, power, (last, top, bands.MOTION))
         touch(run, time, dt, contact_step.MOVE)
