@@ -48,7 +48,7 @@ def advice(problem: Problem) -> list[str]:
     if problem.solver.kind == "lagrange1d":
         found += _undershoots(problem, starts)
         found += _long_steps(problem.solver.courant, LONGEST_STEP[problem.solver.integrator]) + _short_pulses(problem)
-    return found + advice_on_speeds(problem)
+    return found + _coarse_output(problem) + advice_on_speeds(problem)
 
 
 def _undershoots(problem: Problem, starts: list) -> list[str]:
@@ -79,16 +79,28 @@ def _short_pulses(problem: Problem) -> list[str]:
     """Ends driven for a shorter time than sound takes to cross the zone beside them."""
     found = []
     for side, boundary, region, k in (("left", problem.left, problem.regions[0], 0), ("right", problem.right, problem.regions[-1], -1)):
-        eos, pulse = problem.materials[region.material].eos, boundary.pulse
-        if eos is None or pulse is None or pulse.shape not in SHORT:
-            continue
         width = float(np.diff(graded_nodes(region.start, region.end, region.zones, region.ratio))[k])
-        sound = float(np.sqrt(max(sound_speed_squared(*reference_state(eos), eos), 0.0)))
-        if 0.0 < pulse.duration * sound < width:
-            found.append(f"the {side} boundary is driven for {format_si(pulse.duration, 's', 3)}, but sound takes "
-                         f"{format_si(width / sound, 's', 3)} to cross the zone beside it, over which its stress is spread and too low; "
-                         f"use zones of {format_si(0.1 * pulse.duration * sound, 'm', 2)} there, ten in the length of the pulse")
+        found += _short_pulse(f"the {side} boundary", boundary.pulse, problem.materials[region.material].eos, width)
     return found
+
+
+def _short_pulse(name: str, pulse, eos, width: float) -> list[str]:
+    """The same of one end or side, beside whose first zone, `width` m thick, is the law `eos`."""
+    if eos is None or pulse is None or pulse.shape not in SHORT:
+        return []
+    sound = float(np.sqrt(max(sound_speed_squared(*reference_state(eos), eos), 0.0)))
+    if not 0.0 < pulse.duration * sound < width:
+        return []
+    return [f"{name} is driven for {format_si(pulse.duration, 's', 3)}, but sound takes "
+            f"{format_si(width / sound, 's', 3)} to cross the zone beside it, over which its stress is spread and too low; "
+            f"use zones of {format_si(0.1 * pulse.duration * sound, 'm', 2)} there, ten in the length of the pulse"]
+
+
+def _coarse_output(problem: "Problem | Problem2D") -> list[str]:
+    """Intervals of snapshots and gauges longer than the run, as a number of them is that is read as seconds."""
+    given = {"snapshots": problem.output.snapshots, "gauge_interval": problem.output.gauge_interval}
+    return [f"{key} = {value:g} s is the time between two of them, and longer than the run of {format_si(problem.stop_time, 's', 3)}: "
+            "only its start and end are kept" for key, value in given.items() if isinstance(value, float) and value > problem.stop_time]
 
 
 def advice_on_speeds(problem: Problem) -> list[str]:
@@ -131,8 +143,35 @@ def advice_on_blocks(problem: "Problem2D") -> list[str]:
                                          f"{end.up:g} m/s")
     found += beyond_data.values()
     speeds = {f"block '{block.name}'": float(np.hypot(*velocity).max()) for block, velocity in zip(problem.blocks, nodes)}
-    found += _joined_at_impact(problem)
+    found += _joined_at_impact(problem) + _coarse_output(problem)
+    for name, boundary in problem.chain_boundaries().items():
+        chain, pulse = problem.mesh.chains[name], boundary.pulse
+        material = problem.blocks[chain.block].material
+        if boundary.kind in ("velocity", "wall"):
+            met[material] = max(met.get(material, 0.0), _driven_by_side(problem, chain, boundary))
+        if boundary.kind == "velocity":
+            speeds[f"the boundary '{name}'"] = max(abs(pulse.amplitude), *map(abs, pulse.values), 0.0)
+        found += _short_pulse(f"the boundary '{name}'", pulse, problem.materials[material].eos, _thinnest(problem.mesh, chain))
     return found + _long_steps(problem.solver.courant, LONGEST_STEP_IN_PLANE) + _beyond_estimate(problem, met) + _relativistic(speeds)
+
+
+def _driven_by_side(problem: "Problem2D", chain, boundary) -> float:
+    """Largest particle velocity to which a wall or a driven side drives the material beside it along its inward normal, m/s."""
+    from hugoniot.problem.plane.model import velocity_at
+
+    inward = -problem.mesh.outward_normals(chain)
+    speed = (velocity_at(problem.blocks[chain.block].velocity, *problem.mesh.nodes[:, chain.edges].mean(axis=2)) * inward).sum(axis=0)
+    along = 1.0 if boundary.direction is None else np.array(boundary.direction) @ inward
+    values = (0.0,) if boundary.pulse is None else (boundary.pulse.amplitude, *boundary.pulse.values)
+    return float(max(np.max(value * along - speed) for value in values))
+
+
+def _thinnest(mesh, chain) -> float:
+    """Area over the length of the edge, m, of the thinnest zone on a chain; of triangles that of the cell they halve."""
+    (x1, y1), (x2, y2) = np.moveaxis(mesh.nodes[:, chain.edges], 2, 0)
+    x, y = mesh.nodes[:, mesh.zone_nodes[chain.zones]]
+    area = 0.5 * np.abs((x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum(axis=1))
+    return float(np.min(area / np.hypot(x2 - x1, y2 - y1))) * (2.0 if mesh.zone_nodes.shape[1] == 3 else 1.0)
 
 
 def _joined_at_impact(problem: "Problem2D") -> list[str]:

@@ -346,3 +346,53 @@ name = "b"
         read_deck_text(text)
     (problem,) = caught.value.problems
     assert problem.line == 3 and "[[region]], not [[block]]" in problem.message and 'kind = "lagrange2d"' in problem.hint
+
+
+SIDE = """stop_time = "1 us"
+geometry = "plane"
+[[block]]
+name = "b"
+material = "m"
+x = ["0 mm", "4 mm"]
+y = ["0 mm", "1 mm"]
+zones = [{zones}, 2]
+velocity = ["{u} m/s", "0 m/s"]
+[[boundary]]
+on = "b.left"
+kind = "{kind}"
+{more}
+[solver]
+kind = "lagrange2d"
+[material.m.eos]
+law = "mie_gruneisen"
+rho0 = 2700.0
+c0 = 5200.0
+s = 1.5
+gamma0 = 2.0
+"""
+
+
+@pytest.mark.parametrize(("values", "words"), [
+    ({"kind": "velocity", "more": 'velocity = "50 km/s"'}, ["material 'm' is driven to a particle velocity of about 5e+04 m/s"]),
+    ({"kind": "velocity", "more": 'velocity = "-50 km/s"'}, []),
+    ({"kind": "velocity", "more": 'velocity = "-50 km/s"\ndirection = [-1, 0]'}, ["driven to a particle velocity of about 5e+04 m/s"]),
+    ({"kind": "velocity", "more": 'velocity = "5000 km/s"'}, ["driven to a particle velocity", "the boundary 'b.left' moves at 5e+06 m/s"]),
+    ({"kind": "wall", "u": "-50e3"}, ["driven to a particle velocity of about 5e+04 m/s"]), ({"kind": "wall", "u": "50e3"}, []),
+    # sound takes 19.2 ns through 0.1 mm
+    ({"kind": "pressure", "more": 'pressure = {shape = "square", amplitude = "1 GPa", duration = "19 ns"}'}, ["is driven for 19 ns, but sound takes 19.2 ns"]),
+    ({"kind": "pressure", "more": 'pressure = {shape = "square", amplitude = "1 GPa", duration = "20 ns"}'}, []),
+    ({"kind": "wall", "more": "[output]\nsnapshots = 20"}, ["snapshots = 20 s is the time between two of them, and longer than the run of 1 us"]),
+])
+@pytest.mark.parametrize("cells", ["quads", "triangles"])
+def test_what_sides_do_is_warned_of_as_in_one_dimension(values, words, cells):
+    """A wall and a driven side drive the material as an end does; a short pulse; and a number of snapshots is read as seconds."""
+    text = SIDE.format(**{"zones": 40, "u": 0, "more": ""} | values).replace('"lagrange2d"', f'"lagrange2d"\ncells = "{cells}"')
+    warnings = read_deck_text(text).warnings
+    assert len(warnings) == len(words) and all(part in text for part, text in zip(words, warnings))
+
+
+def test_erosion_by_plastic_strain_needs_a_material_with_strength():
+    text = SIDE.format(zones=4, u=0, kind="wall", more="[solver.erosion]\nplastic_strain = 1.5")
+    with pytest.raises(DeckError, match="solver.erosion.plastic_strain: has no effect"):
+        read_deck_text(text)
+    assert read_deck_text(text + '[material.m.strength]\nlaw = "perfectly_plastic"\nshear_modulus = "25 GPa"\nyield_stress = "0.3 GPa"\n')

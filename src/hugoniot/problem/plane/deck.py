@@ -85,6 +85,9 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if axes[0] == "r" and model.body_force[0] != 0.0:
         collector.add(("body_force",), "a radial force is not uniform about the axis", "leave the first number 0")
     _check_axis_velocity(problem, collector)
+    if solver.erosion and solver.erosion.plastic_strain is not None and all(material.strength is None for material in used.values()):
+        collector.add(("solver", "erosion", "plastic_strain"), "has no effect: no material has strength, so that none has a plastic strain",
+                      'use smallest_step, for example "0.1 ns"')
     if wrong := trouble_on_the_axis(problem):
         collector.add(("solver", "scheme"), wrong, 'write scheme = "true_volume"')
     for name, material in used.items():
