@@ -159,3 +159,15 @@ def test_the_impact_arrives_at_its_face_at_once_in_the_plane(tmp_path, joined):
         assert row["arrival"] == 0.0
         assert abs(row["plateau_velocity"]) == pytest.approx(350.0, rel=0.01)
     assert rows["point"]["plateau_pressure"] == pytest.approx(shock(law, particle_velocity=350.0).pressure, rel=0.01)
+
+
+@pytest.mark.parametrize(("kind", "arrives"), [("sliding", False), ("bonded", True)])
+def test_bodies_of_the_plane_that_part_at_once_send_no_wave(tmp_path, kind, arrives):
+    """From the face on which they touched, unless something holds them together there."""
+    blocks = tuple(Block2D(name, "al", Box((x, x + 2e-3), (0.0, 1e-3)), (8, 2), velocity=VelocityField((u, 0.0)))
+                   for name, x, u in (("a", -2e-3, -100.0), ("b", 0.0, 60.0)))
+    gauges = (Gauge2D("a", "edge", on="a.right"), Gauge2D("b", "edge", on="b.left"))
+    problem = Problem2D("part", "plane", 0.2e-6, blocks, {"al": Material("al", MieGruneisen(2700.0, 5200.0, 1.5, 2.0))}, gauges=gauges,
+                        contacts=(Contact2D(("a", "b"), kind),), output=OutputOptions(report=False))
+    for row in gauge_rows(hugoniot.run(problem, tmp_path / "run")):
+        assert (row["arrival"] == 0.0) if arrives else np.isnan(row["arrival"])
