@@ -9,10 +9,10 @@ from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials.material import Material
 from hugoniot.mesh.shapes import Box
-from hugoniot.output.run_numbers import gauge_rows
+from hugoniot.output.run_numbers import gauge_rows, highest
 from hugoniot.problem.catalogue import deck_text
 from hugoniot.problem.deck import read_deck_text
-from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Region, SolverOptions
+from hugoniot.problem.model import Boundary, Gauge, Interface, OutputOptions, Problem, Region, SolverOptions
 from hugoniot.problem.plane.contact_model import Contact2D
 from hugoniot.problem.plane.model import Block2D, Boundary2D, Gauge2D, Problem2D, VelocityField
 from hugoniot.theory.exact.elastic_plastic_piston import Solid, waves
@@ -171,3 +171,21 @@ def test_bodies_of_the_plane_that_part_at_once_send_no_wave(tmp_path, kind, arri
                         contacts=(Contact2D(("a", "b"), kind),), output=OutputOptions(report=False))
     for row in gauge_rows(hugoniot.run(problem, tmp_path / "run")):
         assert (row["arrival"] == 0.0) if arrives else np.isnan(row["arrival"])
+
+
+@pytest.mark.parametrize("integrator", ["compatible", "wilkins"])
+@pytest.mark.parametrize(("pressure", "interfaces", "free"), [(0.0, (), True), (1e9, (), False), (0.0, (Interface("a", "b", "bonded"),), False)])
+def test_bodies_of_a_line_that_part_at_once_send_no_wave(tmp_path, pressure, interfaces, free, integrator):
+    """At -100 and 60 m/s they had one velocity on the face until it opened: 732 MPa of tension, and -112 m/s."""
+    regions = (Region("a", "al", -2e-3, 0.0, 20, velocity=-100.0, pressure=pressure), Region("b", "al", 0.0, 4e-3, 40, velocity=60.0, pressure=pressure))
+    problem = Problem("part", "planar", 0.5e-6, regions, {"al": Material("al", MieGruneisen(2700.0, 5200.0, 1.5, 2.0))}, interfaces=interfaces,
+                      gauges=(Gauge("face", "a/b"),), solver=SolverOptions(integrator=integrator), output=OutputOptions(report=False))
+    done = hugoniot.run(problem, tmp_path / "run")
+    found = {row["gauge"]: row for row in gauge_rows(done)}
+    assert np.isnan(found["face"]["arrival"]) if free else found["face"]["arrival"] == 0.0
+    if free:
+        assert "tension" not in highest(done) and highest(done)["stress"] == 0.0
+        events = done.arrays("events")
+        assert [(t, str(kind)) for t, kind in zip(events["time"], events["kind"]) if kind == "interface_separated"] == [(0.0, "interface_separated")]
+        assert done.summary["interfaces_separated"] == 1
+        assert [found[name]["last_velocity"] for name in ("face", "face right")] == pytest.approx([-100.0, 60.0], rel=1e-9)

@@ -101,7 +101,7 @@ def _scales(run: Run, word: str) -> tuple[float, float]:
 
 
 def at_impact(setup, gauge: Mapping) -> bool:
-    """Whether a gauge sits where two bodies that touch differ in velocity at t = 0: the first waves start there then.
+    """Whether a gauge sits where two bodies that touch differ in velocity at t = 0, unless they part freely: waves start there then.
 
     Its record begins at that velocity or between the two, and later waves were taken for the first one.
     """
@@ -109,7 +109,8 @@ def at_impact(setup, gauge: Mapping) -> bool:
         return gauge.get("name") in setup.get("struck", ())      # missing from runs of earlier versions
     regions, at = setup["regions"], gauge.get("at")
     pairs = [(a, b) for a, b in zip(regions, regions[1:])
-             if a["end"] == b["start"] and np.ravel(a["velocity"])[-1] != np.ravel(b["velocity"])[0]]
+             if a["end"] == b["start"] and np.ravel(a["velocity"])[-1] != np.ravel(b["velocity"])[0]
+             and f"{a['name']}/{b['name']}" not in setup.get("parting", ())]
     places = [(f"{a['name']}/{b['name']}", f"{a['name']}:right", f"{b['name']}:left") for a, b in pairs]
     return at in [a["end"] for a, _ in pairs] or re.sub(r"\s*([/:])\s*", r"\1", str(at)) in itertools.chain(*places)
 

@@ -23,7 +23,7 @@ _LINE = {
     "regions": [{"name": Text, "material": Text, "start": Number, "end": Number, "zones": Whole, "velocity": (int, float, list),
                  "starts?": {...: Number}}],
     "boundaries": {side: {"kind": Text, "pulse?": (dict, Nothing)} for side in ("left", "right")},
-    "gauges": [{"name": Text, "at": (int, float, str)}]}
+    "gauges": [{"name": Text, "at": (int, float, str)}], "parting?": [Text]}
 _POINT = [Number]
 _PLANE = {
     **_COMMON, "axes": [Text], "solver": {"kind": Text, "integrator": Text},

@@ -20,6 +20,7 @@ from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.reach import reach
 from hugoniot.problem.profiles import end_velocities
+from hugoniot.problem.starting import part_freely
 
 _FAMILIES = {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE, "viscosity": VISCOSITY}
 
@@ -191,6 +192,7 @@ def setup_record(problem, meta: dict) -> dict:
         "regions": [_region_record(region, problem.materials[region.material]) for region in problem.regions],
         "boundaries": {"left": plain(problem.left), "right": plain(problem.right)},
         "interfaces": [plain(interface) for interface in problem.interfaces],
+        "parting": [f"{a.name}/{b.name}" for a, b in zip(problem.regions, problem.regions[1:]) if part_freely(problem, a, b)],
         "gauges": [plain(gauge) for gauge in problem.gauges],
         "materials": {name: _with_transport(material_record(problem.materials[name]), getattr(problem, "transport", {}).get(name))
                       for name in sorted({r.material for r in problem.regions})},

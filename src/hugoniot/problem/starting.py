@@ -6,13 +6,30 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hugoniot.errors import HugoniotError
-from hugoniot.laws.eos.contract import pressure, reference_state
+from hugoniot.laws.eos.contract import is_condensed, pressure, reference_state, sound_speed_squared
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.problem.model import Problem, Region
-from hugoniot.problem.profiles import values_at
+from hugoniot.problem.profiles import end_velocities, values_at
 
 if TYPE_CHECKING:
     from hugoniot.problem.plane.model import Block2D, Problem2D
+
+NO_PRESSURE = 1e-9     # of rho c^2
+
+
+def part_freely(problem: Problem, left: Region, right: Region) -> bool:
+    """Whether two regions that touch move apart at t = 0 without a wave: condensed bodies without pressure that nothing holds together."""
+    held = [law.kind != "separable" for law in problem.interfaces if {law.left, law.right} == {left.name, right.name}]
+    if any(held) or problem.left.kind == "periodic" or not end_velocities(right)[0] > end_velocities(left)[1]:
+        return False
+    for region, (_, p) in ((left, start_at_ends(problem, left)[1]), (right, start_at_ends(problem, right)[0])):
+        material = problem.materials[region.material]
+        if material.eos is None or material.burn is not None or not is_condensed(material.eos):
+            return False
+        rho, e = reference_state(material.eos)
+        if not abs(p) <= NO_PRESSURE * rho * sound_speed_squared(rho, e, material.eos):
+            return False
+    return True
 
 
 def start_at_ends(problem: "Problem | Problem2D", region: "Region | Block2D") -> tuple[tuple[float, float], tuple[float, float]]:

@@ -23,6 +23,7 @@ from hugoniot.mesh.line import GEOMETRY, graded_nodes, volume
 from hugoniot.problem.explosives import crushing_density
 from hugoniot.problem.model import Boundary, Problem, Pulse
 from hugoniot.problem.profiles import values_at, velocities_at
+from hugoniot.problem.starting import part_freely
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.bodies import welded
@@ -151,7 +152,9 @@ def assemble(problem: Problem, starts):
     total = sum(counts)
     ends = np.cumsum(counts)
     ranges = [(int(end - count), int(end)) for end, count in zip(ends, counts)]
-    breaks = [i for i in range(1, len(counts)) if not touching(problem.regions[i - 1], problem.regions[i])]
+    # one velocity for both of what parts would pull at them until the interface opens
+    pairs = list(zip(problem.regions, problem.regions[1:]))
+    breaks = [i for i, pair in enumerate(pairs, 1) if not touching(*pair) or part_freely(problem, *pair)]
     bodies = np.split(np.arange(len(counts)), breaks)
     burning_run = any(reactive.burns(problem, region) for region in problem.regions)
     table, charge = zone_table(len(Z), total), zone_table(len(B), total if burning_run else 0)

@@ -6,6 +6,7 @@ Each of these changes the topology of the run, conserves momentum, accounts for 
 import numpy as np
 
 from hugoniot.core.ops import NO_LIMIT
+from hugoniot.problem.starting import part_freely
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.accounts import kinetic_energy
 from hugoniot.solvers.lagrange1d.assemble import interface_bond, touching
@@ -46,6 +47,15 @@ def open_body(solver, node: int, cause: str) -> Event:
     where = f"in '{left}'" if left == right else f"between '{left}' and '{right}'"
     kind, text = ("void_opened", "void opened") if cause == "spall" else ("interface_separated", "interface opened")
     return Event(kind, solver.time, solver.cycle, place, f"{text} {where} at {place:.6g} m")
+
+
+def part_at_start(solver) -> list[Event]:
+    """The events of bodies that touch and part at t = 0, which are separate from the start; given once."""
+    regions, solver.fresh = solver.problem.regions, False
+    pairs = [pair for pair in zip(regions, regions[1:]) if touching(*pair) and part_freely(solver.problem, *pair)]
+    solver.interfaces_separated += len(pairs)
+    return [Event("interface_separated", 0.0, 0, a.end, f"interface opened between '{a.name}' and '{b.name}' at {a.end:.6g} m")
+            for a, b in pairs]
 
 
 def close_gaps(solver) -> list[Event]:

@@ -18,7 +18,7 @@ from hugoniot.solvers.lagrange1d import accounts, reactive, start, transmitting
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_end, laws_of_regions, start_region
 from hugoniot.solvers.lagrange1d.at_nodes import node_criteria
-from hugoniot.solvers.lagrange1d.between_steps import events_of
+from hugoniot.solvers.lagrange1d.between_steps import events_of, part_at_start
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, left_nodes, run_table, set_node_masses, shares_of
 from hugoniot.solvers.lagrange1d.field import NoField
 from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
@@ -78,6 +78,7 @@ class Lagrange1D(NothingToAdd):
         self.passed = np.zeros((0, L.PASS_FLOATS))
         self.opened = np.zeros(0, dtype=np.int64)      # the zone on the right of every void that has opened
         self.voids_closed = self.interfaces_separated = 0
+        self.fresh = True      # nothing has happened yet
         self.region_of = np.repeat(np.arange(len(problem.regions)), [b - a for a, b in self.region_ranges])
         self.initial_nodes = self.faces(H.r)
         self.gauge_places = gauge_places(self)
@@ -154,6 +155,8 @@ class Lagrange1D(NothingToAdd):
         """Step until the time `until` (hit exactly), `cycles` steps, a full gauge buffer or an event; the events that happened."""
         if until <= self.time:
             return []
+        if self.fresh and (parted := part_at_start(self)):
+            return parted
         self.control[L.UNTIL] = until
         with at_work(self.team, serve, self.plan):
             code = march(*self._march_arguments(cycles, self.plan))
@@ -262,5 +265,6 @@ class Lagrange1D(NothingToAdd):
         for name in ("voids_closed", "interfaces_separated"):
             setattr(self, name, int(payload[name]))
         self.start_energy, self.start_momentum = float(payload["start_energy"]), float(payload["start_momentum"])
+        self.fresh = self.time == 0.0 and self.interfaces_separated == 0
         self.renew_topology()
         self.counters[L.GAUGE_ROWS] = 0
