@@ -187,6 +187,10 @@ rho0 = "2700 kg/m^3"
 c0 = "5200 m/s"
 s = 1.5
 gamma0 = 2.0
+[material.al.strength]
+law = "perfectly_plastic"
+shear_modulus = "24.8 GPa"
+yield_stress = "0.3 GPa"
 [solver]
 kind = "lagrange2d"
 """
