@@ -127,10 +127,15 @@ def differences(about: dict) -> str:
         stated = {c["quantity"]: c["value"] for c in about["constants"]}
         ratio = about["derived"]["shear_modulus"]["value"] / stated["strength.shear_modulus"]
         if about["reference"]["temperature"] and abs(ratio - 1.0) > 1e-6:
-            found.append("The constants of the strength law are for 300 K, the shear modulus and yield stress below for "
+            found.append("The constants of the strength law are for 300 K, the derived shear modulus and yield stress for "
                          f"{about['reference']['temperature']:g} K.")
         if strain := stated.get("strength.initial_strain"):
             found.append(f"The yield stress includes the hardening by the initial strain of {strain:g}.")
+    if about["laws"].get("strength") == "johnson_cook" and "yield_stress" in about["derived"]:
+        room = next(c["value"] for c in about["constants"] if c["quantity"] == "strength.room_temperature")
+        if about["reference"]["temperature"] > room:
+            found.append(f"The strength law has no thermal softening up to {room:g} K; the derived yield stress is for "
+                         f"{about['reference']['temperature']:g} K.")
     return " ".join(found)
 
 
@@ -160,7 +165,8 @@ def row_summary(row: Row) -> str:
         text = f"JWL of the {what}, density {row['rho0']:g} kg/m3{stated}"
     elif row.table == "strength":
         y = row.get("yield_stress") or row.get("johnson_cook_yield")
-        text = _MODELS.get(row["model"], row["model"]) + (f", yield stress {y / 1e9:.3g} GPa" if y else "")
+        what = "cohesion" if row["model"].startswith("Collins") else "yield stress"     # their strength rises with the pressure
+        text = _MODELS.get(row["model"], row["model"]) + (f", {what} {y / 1e9:.3g} GPa" if y else "")
     elif row.table == "porous":
         text = f"crush curve: {row['model']}"
     else:

@@ -166,6 +166,7 @@ def test_the_yield_stress_says_which_strain_and_rate_it_is_for():
         assert ("strain rate" in how) == (about["laws"]["strength"] == "johnson_cook")
         if "300 K" in said and not strain:
             assert 1.0 < ratio < 1.01
+        assert ("no thermal softening up to" in said) == (about["laws"]["strength"] == "johnson_cook" and ratio < 1.0)
     assert differences(described(library.entry("uranium"))).endswith("by the initial strain of 0.0375.")
 
 
@@ -180,6 +181,11 @@ def test_the_yield_stress_says_which_strain_and_rate_it_is_for():
     ("rdx", "eos.e0", "computed from the isentrope, doubtful")])
 def test_a_derived_constant_says_how_it_was_found(name, quantity, remark):
     assert next(c["mark"] for c in described(library.entry(name))["constants"] if c["quantity"] == quantity) == remark
+
+
+def test_the_line_of_a_strength_that_rises_with_pressure_names_the_cohesion():
+    """Row S096 is granite of Collins et al. 2004: cohesion 0.09 GPa, limiting strength 1.5 GPa."""
+    assert row_summary(schema.row("S096")) == "Collins/Drucker-Prager, cohesion 0.09 GPa"
 
 
 @pytest.mark.parametrize("name, words", [("U233", "up (m/s), for particle velocities from 2639 to 7780 m/s"), ("U002", "range inferred: particle velocities up to 3763 m/s"),
