@@ -15,6 +15,7 @@ from hugoniot.dossier.describe import described, summary
 from hugoniot.dossier.wording import DERIVED, GROUPS, differences, digits, grouped, numbered, reference_name, where_read
 from hugoniot.errors import HugoniotError
 from hugoniot.materials import cards, library, schema
+from hugoniot.materials.schema import UNVERIFIED
 from hugoniot.materials.tables import families
 from hugoniot.plotting.materials import compare_figure
 from hugoniot.problem.explosives import TOLERATED
@@ -35,7 +36,7 @@ FILE = ("\"The file\" beside a row is the public file from which the row was tak
 RULE = (" The library takes the stated velocity where it is at most {:.2g} % below and at most {:.2g} % above the CJ velocity of the "
         "products, and the CJ velocity otherwise ([reason](../../theory/detonation.md#programmed-burn)).")
 LACKS = "Where an entry says that the library has no data, it means none for this material."
-RECALLED = "Data marked \"not checked\" were quoted from memory of the publication named."
+RECALLED = "Data marked \"not checked\" were quoted from memory, without consulting the publication named."
 UNNAMED = re.compile(r"\b[Tt]he file\b(?! [\w-]+\.\w)")     # "the file" without its name
 
 
@@ -203,8 +204,8 @@ def _constants(about: dict) -> list[str]:
 
 
 def _quoted(constants: list[dict]) -> bool:
-    """Whether a source of constants was quoted from memory."""
-    return any(c["via"].startswith("recalled") for c in constants)
+    """Whether a constant was quoted from memory, itself or in the row that it was taken from."""
+    return any(c["via"].startswith("recalled") or UNVERIFIED in c["mark"] for c in constants)
 
 
 def _idle(constant: dict, constants: list[dict]) -> bool:
@@ -222,14 +223,16 @@ def _exponents(constants: list[dict], members: list[int]) -> str:
 
 
 def _starts(constants: list[dict]) -> str:
-    """At which density a region of an explosive starts, where the constants of the two equations of state have different ones."""
+    """What uses the unreacted explosive, and at which density a region starts where the two equations of state have different ones."""
     rho0 = {c["quantity"]: c["value"] for c in constants if c["quantity"] in ("eos.rho0", "unreacted.rho0")}
     products, unreacted = rho0.get("eos.rho0"), rho0.get("unreacted.rho0")
-    if products == unreacted:
+    if unreacted is None:
         return ""
-    return (f"Programmed burn does not use this equation of state: a region starts at {products:g} kg/m³, the initial density for "
-            f"which the constants of the detonation products hold. `hugoniot eos` uses it for shocks in the unreacted "
-            f"explosive, which start at {unreacted:g} kg/m³.")
+    used = "Programmed burn does not use this equation of state; `hugoniot eos` uses it for shocks in the unreacted explosive."
+    if products == unreacted:
+        return used
+    return (f"{used} Such shocks start at {unreacted:g} kg/m³; a region with programmed burn starts at {products:g} kg/m³, the initial "
+            "density for which the constants of the detonation products hold.")
 
 
 def _derived(about: dict) -> list[str]:
@@ -307,7 +310,7 @@ def index(entries: list, laws: dict[str, dict]) -> str:
              f"(*rows*) from the literature or fitted by hugoniot, and {counts['measured_states']} measured shock states. "
              f"`hugoniot material search` also finds {counts['searchable_materials'] - counts['curated_materials']} other materials, for "
              f"which the library has rows that are not curated. {counts['rows_unverified_against_print']} rows were quoted from "
-             "memory of a publication; a warning says \"not checked against the printed source\" if one is used "
+             "memory, without consulting the publication; a warning says \"not checked against the printed source\" if one is used "
              "([provenance](../../materials/provenance.md)).", ""]
     heads = ("material", "kind", "density, kg/m³", "c0, m/s", "s", "equation of state", "strength law", "spall strength")
     lines += ["c0 and s are the intercept of the Hugoniot Us(up) and its slope at up = 0. Click on a heading to sort; type to filter.", "",
