@@ -66,7 +66,7 @@ RECORDED = {
     "U226": (Selection("Germanium", up_min=1500.0, words="states at up above 1.5 km/s"), 1),
     "U227": (Selection("KCl", up_min=1300.0, words="states above the transition"), 1),
     "U228": (Selection(MAGNESIA, up_max=5500.0, words="states at up below 5.5 km/s"), 1),
-    "U229": (Selection(MAGNESIA, words="all states except one in doubt"), 1),
+    "U229": (Selection(MAGNESIA, words="all states except a doubtful one"), 1),
     "U230": (Selection("Sodium", words="all states"), 1),
     "U231": (Selection("NiAl", words="all states"), 1),
     "U232": (Selection("PMMA", up_min=500.0, up_max=2600.0, words="states with up from 0.5 to 2.6 km/s"), 1),
