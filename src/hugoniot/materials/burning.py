@@ -41,6 +41,18 @@ def keeps_isentrope(material: Material) -> bool:
     return "follows_isentrope" in MIXTURE.get(closure(material)).flags and "instantaneous" not in flags and "programmed" not in flags
 
 
+def outruns_itself(material: Material) -> bool:
+    """Whether weak compressions burn their way ahead of the detonation: burning by compression with phases of equal pressure.
+
+    The first products of an explosive without pressure fill almost any volume, so that a burn fraction F that follows the density raises
+    the pressure as the square root of F, and the speed of small waves, c^2 = dp/drho + (dp/dF) dF/drho, has no bound as F vanishes
+    (PBX-9404 in thermal isolation: 25 km/s at F = 1e-4).
+    """
+    flags = BURN.of(material.burn).flags
+    return ("compression_driven" in flags and "pressure_driven" not in flags
+            and "no_equilibrium" not in MIXTURE.get(closure(material)).flags)
+
+
 def resting(material: Material) -> Any:
     """The equation of state in which a region of the material starts."""
     return material.unreacted if material.burn is not None and has_reactants(material) else material.eos

@@ -117,7 +117,7 @@ def material_advice(problem) -> list[str]:
 def region_advice(problem, region) -> list[str]:
     """Of a region that burns what its front, its density, its chemical energy and its viscosity have of their own, in sentences."""
     material = problem.materials[region.material]
-    sentences = (_front_advice(problem, region), _density_advice(problem, region), _heat_advice(material),
+    sentences = (_front_advice(problem, region), _density_advice(problem, region), _heat_advice(material), _closure_advice(material),
                  _viscosity_advice(problem.solver, material))
     return [text for text in sentences if text]
 
@@ -291,6 +291,15 @@ def _heat_advice(material) -> str | None:
         return None
     return (f"material '{material.name}': detonation_energy = {format_si(material.detonation_energy, 'J/kg')}, but its equations of state "
             f"give {format_si(own, 'J/kg')}: omit it unless the difference is intended")
+
+
+def _closure_advice(material) -> str:
+    """Of burning by compression in a closure in which weak compressions run faster than the detonation."""
+    if not burning.outruns_itself(material):
+        return ""
+    return (f"material '{material.name}': with mixture = \"{burning.closure(material)}\" the burn law '{BURN.of(material.burn).name}' lets "
+            "weak compressions burn a little explosive at once and run ahead of the detonation, the faster the finer the mesh; "
+            'use mixture = "weighted_pressures" or "burned_products"')
 
 
 def _start(material, region) -> tuple[float, float] | None:

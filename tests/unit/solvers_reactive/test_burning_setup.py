@@ -14,7 +14,7 @@ from hugoniot.laws.burn.programmed import Programmed
 from hugoniot.laws.burn.threshold import Threshold
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
-from hugoniot.laws.mixture import reference_state
+from hugoniot.laws.mixture import build, reference_state
 from hugoniot.materials import burning, library
 from hugoniot.materials.material import Material
 from hugoniot.problem.deck import read_deck_text
@@ -23,6 +23,8 @@ from hugoniot.problem.model import Boundary, Lighting, Problem, Region, SolverOp
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import post_mortem, reactive
 from hugoniot.solvers.lagrange1d.layout import B, Z
+from hugoniot.theory import mixture as mixture_theory
+from hugoniot.theory.chapman_jouguet import cj
 
 GAS = IdealGas(3.0, 1000.0, 1600.0)
 SLOW, FAST = (Material(name, GAS, burn=Programmed(speed), detonation_energy=4e6) for name, speed in (("slow", 4000.0), ("fast", 8000.0)))
@@ -213,6 +215,26 @@ def test_what_is_allowed_but_seldom_meant_is_told(top, region, words):
     text = DECK.format(top=top, region=region)
     found = read_deck_text(text.replace('"comp_b"\nfrom', '"x"\nfrom') if "[material.x]" in region else text).warnings
     assert any(words in told for told in found), found
+
+
+@pytest.mark.parametrize(("closure", "warned"), [("thermal_isolation", True), ("thermal_equilibrium", True), ("weighted_pressures", False), ("two_state", False)])
+@pytest.mark.parametrize("law", ["beta", "programmed_beta"])
+def test_burning_by_compression_that_outruns_the_detonation_is_warned_of(law, closure, warned):
+    """The speed of small waves that burn, c^2 = dp/drho + dp/dF dF/drho at F = 1e-4, is above D (24 and 12 km/s) exactly where warned."""
+    lx17 = library.find("LX-17 reactive")
+    point, mixed = cj(lx17), build.mixture(closure, lx17.unreacted, lx17.eos)
+    rho0, e = burning.start_state(lx17)
+    volume = 1.0 - rho0 / point.state.density
+    rho = rho0 / (1.0 - 1e-4 * volume)
+    state = mixture_theory.solve(rho, e, 1e-4, mixed, (rho0, e))
+    speed = np.sqrt(state.sound_speed**2 + state.pressure_by_burn_fraction * rho0 / rho**2 / volume)
+    assert (speed > point.detonation_velocity) == warned
+
+    front = f', detonation_velocity = "{point.detonation_velocity} m/s"' if law == "programmed_beta" else ""
+    material = (f'[material.x]\nbase = "LX-17 reactive"\nmixture = "{closure}"\n'
+                f'burn = {{law = "{law}", rho0 = {rho0}, rho_cj = {point.state.density}{front}}}')
+    text = DECK.format(top="lighting = [{at = 0.0}]" if front else "", region=material).replace('"comp_b"\nfrom', '"x"\nfrom')
+    assert any("run ahead of the detonation" in told for told in read_deck_text(text).warnings) == warned
 
 
 @pytest.mark.parametrize(("geometry", "lit", "told"), [("spherical", "1 cm", True), ("cylindrical", "7 mm", True), ("spherical", "5 mm", False), ("planar", "1 cm", False)])
