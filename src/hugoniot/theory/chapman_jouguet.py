@@ -26,7 +26,7 @@ from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope
 from hugoniot.theory import jump
 from hugoniot.theory.hugoniot import shock
-from hugoniot.theory.states import States, law_of
+from hugoniot.theory.states import States, law_of, rest_of
 from hugoniot.theory.upstream import Initial, interval
 
 NO_CHARGE = 1e-3     # of the stiffness: less pressure at constant volume is round-off of an energy at rest
@@ -62,14 +62,14 @@ class Detonation:
 
 def explosive(material, density: float | None = None, heat: float = 0.0) -> Initial:
     """The state ahead of a detonation, an `Initial`: unreacted explosive at zero pressure, with the reference density and energy that the
-    equation of state of the products gives.
+    equation of state of the products gives, or with the `detonation_energy` of a `Material` that states one.
 
     density   density of the charge, kg/m3; default: the reference density
     heat      chemical energy, J/kg, added to the reference energy; needed for equations of state that do not contain it, such as a gas
     """
     par = law_of(material)
-    rho0, e0 = (float(v) for v in contract.reference_state(par))
-    gas_at_rest = "reacted" not in EOS.of(par).flags
+    rho0, e0 = rest_of(material)
+    gas_at_rest = "reacted" not in EOS.of(par).flags and getattr(material, "detonation_energy", None) is None
     p0 = float(contract.pressure(rho0, e0, par)) if gas_at_rest else 0.0
     if density is not None and not density > 0.0:
         raise OutOfRange(f"an explosive of {density:.6g} kg/m3 is not a valid state: give a positive density")
@@ -85,7 +85,7 @@ def cj(material, initial: Initial | None = None) -> Detonation:
     Raises OutOfRange if no energy is released, NoSolution if the condition F = 0 is not met to a relative residual of 1e-10.
     """
     par = law_of(material)
-    ahead = initial or explosive(par)
+    ahead = initial or explosive(material)
     v0, least, most = interval(par, ahead)
     _refuse_unreacted(par, ahead)
     with np.errstate(all="ignore"):
@@ -125,7 +125,7 @@ def overdriven(material, initial: Initial | None = None, *, branch: str = "stron
     given     one of pressure (Pa), particle_velocity (m/s), density (kg/m3), shock_velocity (m/s, of the front): a number or an array
     """
     par = law_of(material)
-    ahead = initial or explosive(par)
+    ahead = initial or explosive(material)
     if "shock_velocity" not in given:
         return shock(par, ahead, **given)
     point = cj(par, ahead)
@@ -161,7 +161,7 @@ def detonation_hugoniot(material, initial: Initial | None = None, *, points: int
     once     True skips the compilation, as in `hugoniot.theory.hugoniot.shock`
     """
     par = law_of(material)
-    ahead = initial or explosive(par)
+    ahead = initial or explosive(material)
     if up_to is None:
         up_to = 1.4 * (cj(par, ahead).state.particle_velocity - ahead.velocity)
     return shock(par, ahead, once=once, particle_velocity=ahead.velocity + np.linspace(0.05 * up_to, up_to, points))

@@ -14,7 +14,7 @@ from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials.initial_state import energy_at_pressure, energy_at_temperature, initial_state
 from hugoniot.theory import expansion
-from hugoniot.theory.states import States, density_at, density_range, evaluate, law_of
+from hugoniot.theory.states import States, density_at, density_range, evaluate, law_of, rest_of
 
 COMPILE_ABOVE = 200
 AMBIENT = 1e3  # Pa: a law with more than that at rest is a gas
@@ -58,7 +58,7 @@ def isentrope(material, start: States | None = None, *, direction: int = 1, **gi
 def reference(material, velocity: float = 0.0) -> States:
     """The reference state of a material, with a particle velocity in m/s."""
     par = law_of(material)
-    rho, e = (float(v) for v in contract.reference_state(par))
+    rho, e = rest_of(material)
     return States(par, rho, float(contract.pressure(rho, e, par)), e, velocity)
 
 
@@ -77,7 +77,7 @@ def state(material, velocity: float = 0.0, **given) -> States:
         raise OutOfRange(f"a state is given by density, pressure, energy or temperature, not by {', '.join(sorted(stray))}")
     if len(given) > 2:
         raise OutOfRange(f"two values fix a state, {len(given)} were given: {', '.join(given)}")
-    rho0, e0 = (float(v) for v in contract.reference_state(par))
+    rho0, e0 = rest_of(material)
     rho = given.get("density", None if len(given) == 2 else rho0)
     if "temperature" in given:
         found = initial_state(par, given.get("density"), given.get("pressure"), given["temperature"], given.get("energy"))

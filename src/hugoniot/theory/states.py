@@ -19,6 +19,7 @@ import numpy as np
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
+from hugoniot.materials import burning
 
 UNITS = {"density": "kg/m^3", "pressure": "Pa", "specific_internal_energy": "J/kg", "particle_velocity": "m/s", "shock_velocity": "m/s",
          "temperature": "K", "sound_speed": "m/s", "entropy": "J/kg/K", "gruneisen": "1", "adiabatic_exponent": "1",
@@ -41,6 +42,18 @@ def law_of(material) -> Any:
     if not isinstance(par, tuple):
         raise TypeError(f"{par!r} is neither a material nor the parameters of a law; hugoniot.materials.library.find(name) finds materials")
     return par
+
+
+def rest_of(material) -> tuple[float, float]:
+    """(density kg/m3, energy J/kg) of the reference state; of an explosive that states its chemical energy, with this instead of its law's.
+
+    As in a run, the `detonation_energy` of a `Material` is what burning releases.
+    """
+    rho0, e0 = (float(v) for v in contract.reference_state(law_of(material)))
+    stated = getattr(material, "detonation_energy", None)
+    if stated is None:
+        return rho0, e0
+    return (rho0, float(stated)) if material.burn is None else burning.start_state(material)
 
 
 def has(par, function: str) -> bool:

@@ -135,6 +135,27 @@ def test_gas_of_the_source_from_a_file(tmp_path):
     assert (found["detonation_velocity"], found["pressure"]) == pytest.approx((10015.987, 44.3916e9), rel=1e-6)
 
 
+@pytest.mark.parametrize("burn", ["", '[burn]\nlaw = "programmed"\ndetonation_velocity = 8485.0\n'])
+def test_a_stated_chemical_energy_counts_as_in_a_run(tmp_path, burn):
+    """A gamma-law gas has D^2 = 2 (gamma^2 - 1) Q and p = rho0 D^2/(gamma + 1); a JWL set with the energy Q is that with e0 = rho0 Q."""
+    path = tmp_path / "gas.toml"
+    path.write_text('detonation_energy = 4.5e6\n[eos]\nlaw = "ideal_gas"\ngamma = 3.0\nrho0 = 1800.0\n' + burn, encoding="utf-8")
+    found = answer("cj", str(path))
+    assert found["detonation_velocity"] ** 2 == pytest.approx(2.0 * 8.0 * 4.5e6, rel=1e-9)
+    assert found["pressure"] == pytest.approx(1800.0 * 2.0 * 8.0 * 4.5e6 / 4.0, rel=1e-9)
+    assert answer("isentrope", str(path))["pressure"][0] == found["pressure"]
+    assert answer("show", str(path))["pressure"] == pytest.approx(2.0 * 1800.0 * 4.5e6)
+    refused = eos("cj", str(path), "--heat", "5 MJ/kg")
+    assert refused.exit_code == 2 and "already has a chemical energy" in refused.output
+
+    comp_b = "[eos]\nlaw = \"jwl\"\na = 524.2e9\nb = 7.678e9\nr1 = 4.2\nr2 = 1.1\nomega = 0.34\nrho0 = 1717.0\ne0 = "
+    (tmp_path / "stated.toml").write_text(f"detonation_energy = 4e6\n{comp_b}8.5e9\n{burn}", encoding="utf-8")
+    (tmp_path / "same.toml").write_text(f"{comp_b}{1717.0 * 4e6}\n", encoding="utf-8")
+    for tool in ("cj", "isentrope"):
+        stated, same = (answer(tool, str(tmp_path / name)) for name in ("stated.toml", "same.toml"))
+        assert stated["pressure"] == pytest.approx(same["pressure"], rel=1e-9)
+
+
 def test_other_commands_answer(tmp_path):
     shown = answer("show", "copper", "--at", "particle_velocity = 500 m/s")
     assert shown["law"] and shown["particle_velocity"] == 500.0 and shown["gruneisen"] > 0

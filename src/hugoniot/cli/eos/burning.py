@@ -40,12 +40,16 @@ def initial(subject: Subject, density: str | None, heat: str | None, ahead: str)
     from hugoniot.theory.chapman_jouguet import explosive
 
     released = quantity(heat, "J/kg", "--heat") if heat else 0.0
+    if heat and subject.reacted:
+        raise DeckError.single("command line", None, "--heat", f"'{subject.material.name}' already has a chemical energy, of "
+                               f"{cell('specific_internal_energy', explosive(subject.material).energy)}",
+                               "omit it; another energy goes into the e0 or detonation_energy of a TOML file")
     if ahead:
         if density:
             raise DeckError.single("command line", None, "--density", "--ahead already gives the state", "write the density there")
         return replace(_given(subject.material, ahead), heat=released)
     found = explosive(subject.material, quantity(density, "kg/m^3", "--density") if density else None, released)
-    return replace(found, pressure=0.0, energy=found.energy if subject.reacted else 0.0) if heat else found
+    return replace(found, pressure=0.0, energy=0.0) if heat else found
 
 
 def _given(law, ahead: str) -> Initial:

@@ -26,7 +26,8 @@ class Subject:
 
     @property
     def reacted(self) -> bool:
-        return "reacted" in EOS.of(self.material.eos).flags
+        """Whether its equation of state is that of detonation products: by its law, or because the chemical energy is stated."""
+        return "reacted" in EOS.of(self.material.eos).flags or self.material.detonation_energy is not None
 
 
 def find_material(text: str) -> Subject:

@@ -17,8 +17,8 @@ def report(material: str, at: str | None, as_json: bool, as_csv, plot) -> None:
     subject = find_material(material)
     par = subject.material.eos
     law = EOS.of(par)
-    inert = find_inert(material).material
-    state = shock(inert, **one_state(at)) if at else reference(par)
+    inert = find_inert(material).material if at else None
+    state = shock(inert, **one_state(at)) if at else reference(subject.material)
     more = ("entropy",) if "shocks_only" in law.flags else ("gruneisen", "entropy")
     told = [*(split_notes(inert, state) if at else ()), *notes(subject, state.particle_velocity)]
     if plot:
