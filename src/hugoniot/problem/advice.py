@@ -1,11 +1,15 @@
 """What a deck may say but seldom means: forgotten units, jumps of the zone mass, speeds beyond the data or beyond the laws of motion."""
 
+import contextlib
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hugoniot.laws.eos.contract import is_condensed, reference_state, sound_speed_squared
+from hugoniot.errors import HugoniotError
+from hugoniot.laws.eos.contract import EOS, gives, has_temperature, is_condensed, reference_state, sound_speed_squared, temperature
+from hugoniot.materials import burning
+from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.plausible import unlikely
 from hugoniot.materials.validity import beyond, impact, range_of
 from hugoniot.mesh.line import graded_nodes
@@ -26,6 +30,7 @@ LONGEST_STEP_IN_PLANE = 0.4
 UNDERSHOOT = 0.40        # of a sudden drop of the pressure: that of the last zone in a chain of zones with a linear law
 ALIKE = 1e-6             # of a speed: what two blocks that share nodes may differ by
 SHORT = ("exponential", "half_sine", "square")      # pulses that end
+EXPANDED = 0.99          # of the reference density: metals expand as much in about 200 K
 NOISE = 1e-4             # of rho c^2: a tension that no interface opens under
 
 
@@ -201,7 +206,29 @@ def _long_steps(courant: float | None, most: float) -> list[str]:
 
 
 def unlikely_constants(problem: "Problem | Problem2D") -> list[str]:
-    return [text for name, material in problem.materials.items() for text in unlikely(name, material)]
+    """Warnings of the constants of the materials and of the densities at which bodies start."""
+    return [text for name, material in problem.materials.items() for text in unlikely(name, material)] + _heated_by_density(problem)
+
+
+def _heated_by_density(problem: "Problem | Problem2D") -> list[str]:
+    """Solids and liquids whose only initial value is a density below the reference one: at zero pressure they are hot, not porous."""
+    found = []
+    for body in getattr(problem, "regions", None) or getattr(problem, "blocks", ()):
+        material, others = problem.materials[body.material], (body.pressure, body.temperature, body.energy)
+        law = burning.resting(material)
+        alone = body.density is not None and all(value is None for value in others) and not getattr(body, "profile", None)
+        if not alone or law is None or not gives(law, "reference_state") or not is_condensed(law) or "reacted" in EOS.of(law).flags:
+            continue
+        rho0 = float(reference_state(law)[0])
+        if not body.density < EXPANDED * rho0:
+            continue
+        with contextlib.suppress(HugoniotError, ArithmeticError, ValueError):
+            rho, e = initial_state(law, body.density)
+            hot = f"heated to {float(temperature(rho, e, law)):.4g} K" if has_temperature(law) else "heated"
+            found.append(f"'{body.name}' starts at {rho:.6g} kg/m3, below the reference density of {rho0:.6g} kg/m3, and at zero pressure: "
+                         f"it is {hot} and has no pores; for porous material use a law such as p_alpha, for another solid density give "
+                         "rho0")
+    return found
 
 
 def _speeds(problem: Problem) -> dict[str, float]:

@@ -237,6 +237,28 @@ def test_burning_by_compression_that_outruns_the_detonation_is_warned_of(law, cl
     assert any("run ahead of the detonation" in told for told in read_deck_text(text).warnings) == warned
 
 
+@pytest.mark.parametrize(("state", "warned"), [("1800", True), ("1890", False), ('1800, temperature = "300 K"', False)])
+def test_an_explosive_of_low_density_is_said_to_be_hot_and_not_porous(state, warned):
+    """The temperature at zero pressure by hand: p = 0 gives e, and e above the isentrope through (rho0, 298 K) gives T."""
+    law = library.find("LX-17 reactive").unreacted
+    terms = ((law.a, law.r1), (law.b, law.r2))
+
+    def cold(v):      # (energy with e = 0 and p = 0 on the exponentials alone, energy of the isentrope up to c V^-omega)
+        return (-sum(k * (1.0 - law.omega / (r * v)) * np.exp(-r * v) for k, r in terms) * v / (law.omega * law.rho0),
+                sum(k / r * np.exp(-r * v) for k, r in terms) / law.rho0)
+
+    v = 1905.0 / 1800.0
+    (energy, own), (rest, first) = cold(v), cold(1.0)
+    hot = 298.0 * v**-law.omega + (energy - own - (rest - first) * v**-law.omega) / law.specific_heat
+    deck = f"""
+stop_time = "1 us"
+region = [{{name = "he", material = "LX-17 reactive", from = "0 cm", to = "1 cm", zones = 20, density = {state}}}]
+"""
+    found = [text for text in read_deck_text(deck).warnings if "has no pores" in text]
+    assert len(found) == warned
+    assert not warned or float(re.search(r"heated to (\S+) K", found[0])[1]) == pytest.approx(hot, rel=1e-3)
+
+
 @pytest.mark.parametrize(("geometry", "lit", "told"), [("spherical", "1 cm", True), ("cylindrical", "7 mm", True), ("spherical", "5 mm", False), ("planar", "1 cm", False)])
 def test_a_front_that_is_programmed_to_converge_is_told_with_the_law_to_take(geometry, lit, told):
     text = DECK.format(top=f'geometry = "{geometry}"\nlighting = [{{at = "{lit}"}}]', region="").replace('from = "0 cm"', 'from = "5 mm"')
