@@ -156,12 +156,10 @@ def _front_advice(problem: Problem, region) -> str | None:
     """
     material, speed = problem.materials[region.material], front_speed(problem, region)
     point = _own_state(material, region) if speed > 0.0 else None
-    if point is None:
+    if point is None or _tolerated(speed, point):
         return None
     ideal = point.detonation_velocity
     excess = speed / ideal - 1.0
-    if TOLERATED[0] <= excess <= TOLERATED[1]:
-        return None
     effect = ("the products overtake it and compress the unburned zones ahead of it until the run stops" if excess < 0.0 else
               f"behind it the pressure is {_lacking(material, point, speed)} below the CJ pressure")
     return (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, but its products would drive one at "
@@ -201,18 +199,29 @@ def crushed_unlit(problem, region, densest: float) -> tuple[str, str] | None:
         return None
     if not densest > CRUSHED * float(region.density or reference_state(material.eos)[0]):
         return None
+    point = _own_state(material, region)
+    slow = point is not None and material.burn.detonation_velocity < point.detonation_velocity * (1.0 + TOLERATED[0])
+    own = (f"give burn.detonation_velocity = {point.detonation_velocity:.6g}, the Chapman-Jouguet velocity of its products at this "
+           "density; if the zones are still crushed, " if slow else "")
     return (f"zones were crushed, to {densest:.4g} kg/m3, before the programmed front lit them: what pushes them arrives earlier, such as "
             "a plate, or burned explosive that drives a faster front than the burn law allows (as in converging geometry).",
-            f"use a rate law, or allow compression to burn a zone ahead of its schedule:\n{with_compression(material, region)}")
+            f"{own}use a rate law, or allow compression to burn a zone ahead of its schedule:\n{with_compression(material, region)}")
 
 
 def with_compression(material, region) -> str:
-    """The lines of a deck that let compression burn a region ahead of its schedule, with the densities of its products."""
-    point = _own_state(material, region)
+    """The lines of a deck that let compression burn a region ahead of its schedule, with the densities and the speed of its products."""
+    point, speed = _own_state(material, region), material.burn.detonation_velocity
     numbers = f", rho0 = {_start(material, region)[0]:.6g}, rho_cj = {point.state.density:.6g}" if point else ", rho0 = ..., rho_cj = ..."
-    burn = f'{{law = "programmed_beta"{numbers}, detonation_velocity = "{material.burn.detonation_velocity:.6g} m/s"}}'
+    if point and not _tolerated(speed, point):
+        speed = point.detonation_velocity
+    burn = f'{{law = "programmed_beta"{numbers}, detonation_velocity = "{speed:.6g} m/s"}}'
     base = f"base = {json.dumps(material.library, ensure_ascii=False)}\n" if material.library else ""
     return f"[material.{toml_key(region.material)}]\n{base}burn = {burn}"
+
+
+def _tolerated(speed: float, point) -> bool:
+    """Whether a programmed front runs nearly at the Chapman-Jouguet velocity."""
+    return TOLERATED[0] <= speed / point.detonation_velocity - 1.0 <= TOLERATED[1]
 
 
 def _weaker_advice(problem: Problem, body: list[int]) -> list[str]:

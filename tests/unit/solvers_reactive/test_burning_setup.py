@@ -269,6 +269,21 @@ def test_a_front_that_is_programmed_to_converge_is_told_with_the_law_to_take(geo
         assert read_deck_text(text + warning.split("use\n", 1)[1] + "\n").warnings == ()
 
 
+def test_the_law_to_take_has_the_detonation_velocity_of_the_density():
+    """The least velocity of a Rayleigh line that meets the detonation Hugoniot of the JWL set at 1800 kg/m3, by hand: 8249 m/s, not 7980."""
+    law, v0 = library.find("comp_b").eos, 1.0 / 1800.0
+    x = np.linspace(0.2, 0.35, 100_001) * v0
+    v = law.rho0 * (v0 - x)
+    cold = sum(k * (1.0 - law.omega / (r * v)) * np.exp(-r * v) for k, r in ((law.a, law.r1), (law.b, law.r2)))
+    p = (cold + law.omega / (v0 - x) * law.e0 / law.rho0) / (1.0 - 0.5 * law.omega * x / (v0 - x))
+    velocity = v0 * np.sqrt((p / x).min())
+
+    text = DECK.format(top='geometry = "spherical"\nlighting = [{at = "1 cm"}]', region="density = 1800").replace('from = "0 cm"', 'from = "5 mm"')
+    lines = next(text for text in read_deck_text(text).warnings if "real converging front would outrun" in text).split("use\n", 1)[1]
+    assert float(re.search(r'detonation_velocity = "(\S+) m/s"', lines)[1]) == pytest.approx(velocity, rel=1e-5)
+    assert read_deck_text(text + lines + "\n").warnings == ()
+
+
 PAIR = """
 stop_time = "5 us"
 region = [{{name = "one", material = "{}", from = "0 cm", to = "1.5 cm", zones = 20}}, {{name = "two", material = "{}", from = "1.5 cm", to = "3 cm", zones = 20}}]

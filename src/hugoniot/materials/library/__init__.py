@@ -240,7 +240,7 @@ def _branch(name: str, identity: str | None) -> list[str]:
     """What is said of a material whose line holds on the far side of a transition only."""
     row = schema.row(identity) if identity else None
     begin = far_begin(row) if row else 0.0
-    if not begin:
+    if row is None or not begin:
         return []
     what, fitted = f"row {identity} ({name})", row.status == "derived"
     starts = f"the data of {what} begin"
