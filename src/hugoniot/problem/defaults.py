@@ -4,7 +4,8 @@ Of lagrange1d, by integrator:
 
 compatible   measured best over the standard problems of `problem.standard` with one set of numbers; where something burns, the jump of
              detonation products, (gamma + 1)/4 with gamma near 3, stands for that of a gas or a metal, and burn laws were calibrated
-             with one thickness of shock; where all materials are condensed and nothing burns, steps are longer: shocks overshoot by
+             with one thickness of shock; the linear part beside them stays that of inert materials, whose free surfaces it keeps from
+             overshooting; where all materials are condensed and nothing burns, steps are longer: shocks overshoot by
              0.03 % more at 0.7 of the Courant step than at 0.5, in gases by 1 to 6 %
 wilkins      as printed: C0 = 2, CL = 1 with sqrt(P/rho), two thirds of the Courant step (Wilkins B.2 items 7 and 9)
 """
@@ -22,7 +23,7 @@ COURANT = {"compatible": 0.5, "wilkins": 2.0 / 3.0}
 COURANT_CONDENSED = {**COURANT, "compatible": 0.7}
 VISCOSITY = {"compatible": ("limited", {"quadratic": 2.0 / 3.0, "linear": 0.3, "linear_condensed": 1.0}),
              "wilkins": ("wilkins", {"quadratic": 2.0, "linear": 1.0})}
-FOR_PRODUCTS = {"compatible": ("limited", {"quadratic": 1.0, "linear": 0.3, "linear_condensed": 0.3}), "wilkins": VISCOSITY["wilkins"]}
+FOR_PRODUCTS = {"compatible": ("limited", {"quadratic": 1.0, "linear": 0.3, "linear_condensed": 1.0}), "wilkins": VISCOSITY["wilkins"]}
 HEAT_FLUX = {"compatible": 0.5, "wilkins": 0.0}
 COURANT_OF_FLOW = 0.9   # of shock_structure
 SNAPSHOTS = 100         # intervals

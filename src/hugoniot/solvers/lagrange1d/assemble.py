@@ -39,13 +39,14 @@ CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L
 
 
 def viscosity_in(material, viscosity):
-    """The viscosity as a material has it: condensed ones have a linear coefficient of their own, in weak jumps only without strength.
+    """The viscosity as a material has it: condensed ones that do not burn have a linear coefficient of their own, in weak jumps only
+    without strength.
 
     Pores have precursors like strength, and solid matter behind the shocks that crush them.
     """
     if "linear_condensed" not in viscosity._fields or flagged(material.eos, "remembers"):
         return viscosity
-    if not is_condensed(material.eos):
+    if material.burn is not None or not is_condensed(material.eos):
         return viscosity._replace(linear_condensed=viscosity.linear)
     if material.strength is None or "fluid" in STRENGTH.of(material.strength).flags:
         return viscosity._replace(linear=viscosity.linear_condensed)
