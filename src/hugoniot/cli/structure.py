@@ -284,7 +284,7 @@ def _tell(numbers: dict, found, transport) -> None:
     echo_table(["", "ahead", "behind", ""], [
         ("  density", f"{one.density:.6g}", f"{two.density:.6g}", "kg/m^3"),
         ("  pressure", f"{one.pressure:.6g}", f"{two.pressure:.6g}", "Pa"),
-        ("  temperature", f"{one.temperature:.6g}", f"{two.temperature:.6g}", "K"),
+        *([("  temperature", f"{one.temperature:.6g}", f"{two.temperature:.6g}", "K")] if one.temperature == one.temperature else []),
         ("  velocity relative to the shock", f"{one.velocity:.6g}", f"{two.velocity:.6g}", "m/s")])
     rows = [("density thickness", "density_thickness"), ("velocity thickness", "velocity_thickness"),
             ("density width 10-90 %", "density_width_10_90"), ("velocity width 10-90 %", "velocity_width_10_90")]

@@ -187,6 +187,12 @@ def test_profile_as_json(capsys):
     assert len(found["profile"]["density"]) == 11
 
 
+def test_a_gas_without_specific_heat_shows_no_temperature(capsys, tmp_path):
+    (tmp_path / "gas.toml").write_text('[eos]\nlaw = "ideal_gas"\ngamma = 1.4\n')
+    code, out, _ = call(capsys, "structure", "profile", str(tmp_path / "gas.toml"), "--mach", "2", "--viscosity", "2e-5 Pa s")
+    assert code == 0 and "density thickness" in out and "nan" not in out and "temperature" not in out
+
+
 def test_profile_of_a_deck_is_that_of_its_case(capsys):
     _, deck, _ = call(capsys, "structure", "profile", str(EXAMPLE), "--json")
     _, case, _ = call(capsys, "structure", "profile", "argon-jordan", "--mach", "9", "--json")
