@@ -104,7 +104,8 @@ EOS.add(
     meaning={"rho0": "reference density", "a": "Grüneisen parameter of the hot gas",
              "b": "Grüneisen parameter in the reference state minus `a`", "bulk_a": "A, bulk modulus in the reference state",
              "bulk_b": "B, coefficient of (rho/rho0 - 1)^2 in the pressure",
-             "alpha": "coefficient in exp(-alpha (rho0/rho - 1)^2), a factor of all terms except `a` rho e in the pressure of expanded vapour",
+             "alpha": "coefficient in exp(-alpha (rho0/rho - 1)^2), a factor of all terms except `a` rho e in the pressure of expanded "
+                      "vapour",
              "beta": "coefficient in exp(-beta (rho0/rho - 1)), a further factor of the term with A in the pressure of expanded vapour",
              "e0": "specific energy at which, at the reference density, the coefficient of rho e in the pressure has fallen "
                    "from `a` + `b` to `a` + `b`/2",

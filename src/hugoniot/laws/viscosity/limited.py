@@ -26,8 +26,8 @@ a free surface overshoots. The coefficient therefore depends on the material:
 $$c_1^2 + (c_c^2 - c_1^2)\,\frac{\Delta u^4}{\Delta u^4 + (0.014\,c)^4}$$
 
 If a deck gives `linear` but not `linear_condensed`, $c_c$ has the value of $c_1$. In an explosive that burns by the law `programmed` with
-the mixture `burned_products`, the linear term is zero. If the deck names no viscosity, a run in which something burns has $c_2 = 1$ and
-$c_c = 0.3$.
+the mixture `burned_products`, the linear term is zero. Explosives that burn have $c_1$, whatever their
+stiffness. If the deck names no viscosity, a run in which something burns has $c_2 = 1$.
 """
 
 from typing import NamedTuple
