@@ -4,8 +4,8 @@ INTRODUCTION = """\
 # Deck reference
 
 A deck is a text file in the [TOML](https://toml.io) format that describes one simulation: bodies, materials, boundaries, solver and
-output. This page lists every table and key that a deck may have. The shortest deck has a stop time and one region. In the following
-complete deck a copper plate strikes an aluminium plate:
+output. This page lists every table and key that a deck may have, except those of `[sweep]`. The shortest deck has a stop time and one
+region. In the following complete deck a copper plate strikes an aluminium plate:
 
 ```toml
 stop_time = "1 us"

@@ -65,8 +65,8 @@ def follow(material: Material, initial: Initial, duration: float, *, overdrive: 
     Raises `OutOfRange` for a burn law without a steady zone, or a window that does not hold the half-reaction length.
     """
     if not (duration > 0.0 and zones >= 1 and window > 2.0):
-        raise OutOfRange(f"a followed detonation needs a positive duration, at least one zone per half-reaction length and a window of "
-                         f"more than 2 half-reaction lengths, got {duration:g} s, {zones:g} zones and {window:g} half-reaction lengths")
+        raise OutOfRange("following a detonation in a moving window needs a positive duration, at least one zone per half-reaction length "
+                         f"and a window longer than 2 half-reaction lengths; got {duration:g} s, zones: {zones:g}, window: {window:g}")
     exact = znd(burning.reactive(material).mixture, initial, material.burn, overdrive=overdrive, points=2000, complete=1.0 - 1e-9)
     size, drift = exact.half_reaction_length / zones, float(exact.particle_velocity[-1])
     behind = round(window * zones * float(exact.states.density[-1]) / initial.density)

@@ -36,7 +36,7 @@ _ROWS = (
     Field("deviator_zz", "s_zz", "Pa", "zone", "stress deviator out of the plane, the hoop in axisymmetric geometry (tension positive)",
           ("GPa", 1e-9)),
     Field("von_mises", "sigma_e", "Pa", "zone", "von Mises stress", ("GPa", 1e-9)),
-    Field("principal_angle", "phi", "rad", "zone", "direction of the largest principal stress in the plane, from x", ("rad", 1.0)),
+    Field("principal_angle", "phi", "rad", "zone", "direction of the most tensile principal stress in the plane, from x", ("rad", 1.0)),
     Field("lode_angle", "theta_L", "rad", "zone", "Lode angle", ("rad", 1.0)),
     Field("stress", "sigma", "Pa", "zone", "longitudinal stress (compression positive)", ("GPa", 1e-9)),
     Field("sound_speed", "c", "m/s", "zone", "longitudinal sound speed", ("m/s", 1.0)),

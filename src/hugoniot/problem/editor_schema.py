@@ -37,15 +37,16 @@ def json_schema(kind: str = "lagrange1d") -> dict:
         "detonation_energy": number | {"unit": "J/kg", "description":
                                        "chemical energy per mass that burning releases (default: from the two equations of state)"},
         "reference_state": {"enum": list(CHOICES), "default": CHOICES[0], "description":
-                            "mixture thermal_isolation: whether the isentrope of the unreacted explosive receives its share of all viscous "
-                            "heat (rolling), or stays fixed once a shock has passed (frozen); with the solver fronts always frozen"},
+                            "mixture thermal_isolation: whether the reference isentrope of the unreacted explosive keeps shifting "
+                            "with its share of the viscous heating (rolling), or stays fixed once a shock has passed (frozen); with "
+                            "the solver fronts always frozen"},
         "library": {"type": "string", "description": "name of the library's material of the same substance, for its spall strength and "
                     "optical data, which are not part of the laws (default: base)"},
         "valid_up_to": number | {"unit": "m/s", "description":
                                  "highest particle velocity of the data behind the equation of state; shown by hugoniot check and "
         "in reports"},
         "sources": {"type": "array", "description": "where the numbers come from: strings, or tables with source and, if known, quantity, "
-                    "value, unit, via, status and note"},
+                    "value, unit, via (where it was read), status and note"},
         "warnings": {"type": "array", "items": {"type": "string"}, "description": "texts that a run with this material prints"}}
     definitions["viscosity_law"] = law_schema(VISCOSITY)
     definitions["material"] = material

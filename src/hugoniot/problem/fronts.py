@@ -51,8 +51,8 @@ class OptionsTable(Table):
         "wave reaches it (mode algebraic), or of each cell with which a fan starts (mode cells)")
     weakest: Annotated[float, Quantity("1", least=0.0, limit=0.1)] | None = Field(
         None, description="strength of the weakest waves that are followed; the strength of a wave is its change of stress divided by "
-        "rho c^2. In mode cells without profiles, weaker waves are followed too, down to a share of the strongest so far: a tenth, or ten "
-        "times this value if that is more (default: 1e-6; mode cells: 0.01)")
+        "rho c^2. In mode cells without profiles, weaker waves are followed too: down to the strength of the strongest wave so far "
+        "times the larger of 0.1 and 10 weakest (default: 1e-6; mode cells: 0.01)")
     burn_step: Annotated[float, Quantity("1", least=0.0, limit=1.0)] = Field(
         0.15, description="mode cells: largest change of the burn fraction in a cell while sound crosses it (an eighth of this next to "
         "a tracked shock); cells that burn faster are halved, up to five times, and joined again afterwards; 0: cells are never halved")

@@ -28,10 +28,10 @@ def defects(output, regions, materials) -> list[tuple[tuple, str, str]]:
     used, found = [materials[region.material] for region in regions], []
     if "entropy" in output.fields and not any(material.burn is None and gives_entropy(material.eos) for material in used):
         found.append((("output", "fields"), "no material of this problem has an entropy",
-                      "its equations of state give none, or lack the specific_heat for one; leave the field out"))
+                      "its equations of state give none, or lack the specific_heat for one; remove 'entropy'"))
     if "void_fraction" in output.fields and not any(opens_voids(material.fracture) for material in used):
         found.append((("output", "fields"), "no material of this problem opens voids",
-                      "none has a fracture law such as spall_stress; leave the field out"))
+                      "none has a fracture law such as spall_stress; remove 'void_fraction'"))
     return found
 
 

@@ -154,10 +154,10 @@ def _column(path, line, head, name, unit, words):
                 return i, _factor(written, unit), unit
             except UnitError as error:
                 raise DeckError.single(path, line, name, error.message, error.hint) from None
-    sample = f"'{words[-1]} ({_SAMPLE[unit]})'" if unit in _SAMPLE else f"'{words[-1]}'"
+    sample = f"'{words[-1]} [{_SAMPLE[unit]}]'" if unit in _SAMPLE else f"'{words[-1]}'"
     shown = ", ".join(head)
-    raise DeckError.single(path, line, name, f"no column has this name; the columns are {shown[:200]}{'...' if len(shown) > 200 else ''}",
-                           f"name one {sample}")
+    raise DeckError.single(path, line, name, f"there is no such column; the columns are {shown[:200]}{'...' if len(shown) > 200 else ''}",
+                           f"give the column the header {sample}")
 
 
 def _factor(written: str, unit: str) -> float:

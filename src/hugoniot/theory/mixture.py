@@ -303,7 +303,7 @@ def adiabat(start: MixtureState, volumes, burn_fraction: Callable[[float], float
             found = Mixed(*unburned_row(1.0 / v, float(e[0]), par)[:6])
         if found.status != contract.CONVERGED:
             raise NoSolution(f"the adiabat has no mixture state at volume {v:.6g} m^3/kg and burn fraction {lam(v):.6g}: "
-                             f"{contract.MEANING[found.status]}; end the volumes before that")
+                             f"{contract.MEANING[found.status]}; stop the range of volumes before it")
         return [-found.pressure]
 
     way = solve_ivp(slope, (1.0 / float(start.density), float(volumes[-1])), [float(start.energy)], method="DOP853", rtol=1e-12,

@@ -74,9 +74,9 @@ class ModesOfZone:
         self.time = self.length / self.velocity
         self._warm, self._anchors = "temperature_driven" in BURN.of(rate).flags, {}
         if not times.rate(self.zone.at(0.0)) > 0.0:
-            raise OutOfRange("the rate is zero where nothing has burned, so burning cannot begin by itself and the perturbation of its "
-                             "beginning has no linear solution; choose a rate that is positive at zero burn fraction, or "
-                             "add an ignition term")
+            raise OutOfRange("the rate is zero where nothing has burned, so burning cannot begin by itself and the linearised "
+                             "equations have no solution at the start of the reaction zone; choose a rate that is positive at zero burn "
+                             "fraction, or add an ignition term")
         self._tabulate(panel, times.breaks)
 
     # -- the material ------------------------------------------------------------------------------------------------

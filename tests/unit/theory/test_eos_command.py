@@ -367,7 +367,7 @@ def test_fits_of_jwl_and_of_gamma(tmp_path):
     assert "more than rho0 D^2" in eos("fit-jwl", str(path), *cj[:-3], "200 GPa", *cj[-2:]).output
     path.write_text("volume,stress\n1,2\n", encoding="utf-8")
     result = eos("fit-jwl", str(path), *cj)
-    assert result.exit_code == 2 and "cylinder.csv:1" in result.output and "pressure (GPa)" in result.output
+    assert result.exit_code == 2 and "cylinder.csv:1" in result.output and "pressure [GPa]" in result.output
     # Cu at 500 m/s: the adjusted law meets the jump, the truncated one does not
     gamma = answer("fit-gamma", "copper", "--at", "particle_velocity = 500 m/s")
     assert gamma["adjusted_pressure"] == pytest.approx(gamma["pressure"], rel=1e-12) != pytest.approx(gamma["truncated_pressure"], rel=1e-3)
@@ -375,7 +375,7 @@ def test_fits_of_jwl_and_of_gamma(tmp_path):
 
 def test_a_data_file_with_a_wrong_column_or_unit(tmp_path):
     path = tmp_path / "shots.csv"
-    for text, place, words in (("speed,us\n1,2\n", "shots.csv:1", "up (km/s)"), ("up (GPa),us (km/s)\n1,4\n", "shots.csv:1", "expected a velocity"),
+    for text, place, words in (("speed,us\n1,2\n", "shots.csv:1", "up [km/s]"), ("up (GPa),us (km/s)\n1,4\n", "shots.csv:1", "expected a velocity"),
                                ("up,us\n100,4000\n200,abc\n", "shots.csv:3", "'abc' is not a velocity"), ("up,us\n100\n", "shots.csv:2", "1 value"), ("", "shots.csv", "empty")):
         path.write_text(text, encoding="utf-8")
         result = eos("fit", str(path))

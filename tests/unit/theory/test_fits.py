@@ -53,7 +53,7 @@ def test_columns_and_units(tmp_path, head):
 
 
 @pytest.mark.parametrize(("text", "words"), [
-    ("up,speed\n1,2\n", r"points.csv:1: shock_velocity: no column"), ("up,us\n1,2\n3\n", r"points.csv:3: shock_velocity: the line has only 1 value, but"),
+    ("up,speed\n1,2\n", r"points.csv:1: shock_velocity: there is no such column"), ("up,us\n1,2\n3\n", r"points.csv:3: shock_velocity: the line has only 1 value, but"),
     ("up,us\n1,fast\n", r"points.csv:2: shock_velocity: 'fast' is not a velocity"), ("", "empty"), ("up,us\n", "no points"),
     ("up (furlong),us\n1,2\n", r"points.csv:1: particle_velocity"), ("up,us\n1,-3\n", "positive number or zero"), ("up,us\n1,nan\n", "not a velocity")])
 def test_bad_files_are_told_with_the_line(tmp_path, text, words):

@@ -1,7 +1,7 @@
 r"""Uniform collapse: a body flows inwards with a velocity proportional to the radius, so that it stays uniform.
 
-It tests whether a solver keeps such a body uniform and on its isentrope. The geometry is planar, cylindrical or spherical, the material an
-ideal gas or any of the library.
+It tests whether a solver keeps such a body uniform and on its isentrope. The geometry is planar, cylindrical or spherical; the material is
+an ideal gas or any material in the library.
 
 $$u = -\frac{r}{t_c - t}, \qquad \rho = \rho_0\left(1 - \frac{t}{t_c}\right)^{-d}, \qquad e = e_S(\rho)$$
 
