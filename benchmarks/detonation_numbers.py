@@ -159,7 +159,7 @@ def pentolite() -> None:
             show(series, f"{1e3 * zone} mm", f"cavity {100 * by_schedule.cavity(seen.states[-1], problem):.3f} cm",
                  f"shock {1e6 * seen.times[np.argmax(surface > 0.5 * surface.max())]:.1f} us",
                  f"burned {1e6 * seen.times[np.argmax(lit > 0.5)]:.2f} us")
-        for zone in (1e-3, 5e-4):
+        for zone in (1e-3, 5e-4, 2.5e-4):
             places, cavities = [], []
             for strength, stop in ((0.276e9, 1e-4), (0.0, 2e-5)):
                 problem = by_schedule.sphere(series, strength, zone, stop, by_schedule.SPALL[series])

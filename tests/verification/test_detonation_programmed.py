@@ -244,7 +244,7 @@ def test_b21_gurney(configuration, geometry, ratio):
 
 # -- pentolite sphere in aluminium ---------------------------------------------------------------------------------
 SERIES = {"literal": (1.014, 2.36, 5.13), "RMW": (2.184, 1.793, -0.72)}
-SPALL = {"literal": 1.05e9, "RMW": 0.995e9}     # what puts the outermost spall where the report has it, 7.55 cm (H-9)
+SPALL = {"literal": 1.12e9, "RMW": 1.05e9}     # what puts the outermost spall where the report has it, 7.55 cm (H-9)
 
 
 def sphere(series="literal", yield_stress=0.276e9, zone=1e-3, stop=2e-5, spall=1.1e9) -> Problem:
@@ -286,13 +286,12 @@ def test_h6_h7_cavity_of_the_pentolite_sphere(series):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("zone", [1e-3, 5e-4])
 @pytest.mark.parametrize("series", ["literal", "RMW"])
-def test_h8_h9_growth_and_spall(series, zone):
+def test_h8_h9_growth_and_spall(series, zone=2.5e-4):
     """The cavity goes on growing; without strength it is larger, and the outermost spall lies farther out.
 
-    The spall stress the report does not give: 10.5 kb (literal) or 9.95 kb (RMW) puts it at 7.55 +- 0.2 cm on both meshes, and then that of
-    Y = 0 at 8.55 +- 0.1 cm, which was not asked of it.
+    The spall stress the report does not give: 11.2 kb (literal) or 10.5 kb (RMW) puts it at 7.55 +- 0.2 cm, and then that of Y = 0 at
+    8.55 +- 0.1 cm, which was not asked of it. On zones of 1 mm the short pulse is smeared, and it lies at 8.25 cm.
     """
     problem, fluid = (sphere(series, strength, zone, stop, SPALL[series]) for strength, stop in ((0.276e9, 1e-4), (0.0, 2e-5)))
     _, seen = run(problem, 50)
