@@ -134,8 +134,9 @@ def material_tables(cards: dict[str, dict[str, float]], scale: Scale, file: str,
     rho0 = ground["RO"] * scale.density if ground else density
     curves = [name for name in ("EOS_GRUNEISEN", "EOS_JWL") if name in cards]
     if len(curves) != 1:
-        raise DeckError.single(file, None, "*EOS", "one equation of state is needed" + (", not two" if curves else ""),
-                               "known: " + ", ".join(f"*{name}" for name in CARDS if name.startswith("EOS")))
+        found = ", found " + " and ".join(f"*{name}" for name in curves) if curves else ""
+        raise DeckError.single(file, None, "*EOS", "one equation of state is needed" + found,
+                               "supported: " + ", ".join(f"*{name}" for name in CARDS if name.startswith("EOS")))
     if rho0 is None or not rho0 > 0.0:
         raise DeckError.single(file, None, curves[0], "the density is not given", "add the MAT card, or --density")
     left: list[str] = []

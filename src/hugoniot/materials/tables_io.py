@@ -93,12 +93,12 @@ def _csv(text: str, name: str, window: Window) -> tuple[Table, tuple[str, ...]]:
     lines = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.lstrip().startswith("#")]
     if not lines:
         raise DeckError.single(name, None, "table", "the file has no rows",
-                               f"the first line must be {','.join(COLUMNS)}, in kg/m3, K, Pa and J/kg")
+                               f"begin it with the line {','.join(COLUMNS)}, in kg/m3, K, Pa and J/kg")
     header = [h.strip().lower() for h in csv_rows(lines[0][1], name, lines[0][0])[0][1]]
     wrong = [c for c in COLUMNS if header.count(c) != 1]
     if wrong:
         raise DeckError.single(name, lines[0][0], "header", f"needs exactly one column '{wrong[0]}', found {', '.join(header)}",
-                               f"the first line must be {','.join(COLUMNS)}, in kg/m3, K, Pa and J/kg")
+                               f"the columns, in any order, are {', '.join(COLUMNS)}, in kg/m3, K, Pa and J/kg")
     place = [header.index(c) for c in COLUMNS]
     points: dict[tuple[float, float], tuple[float, float]] = {}
     origin: dict[tuple[float, float], int] = {}
