@@ -30,7 +30,7 @@ COMPILE_ABOVE = 200  # states
 
 @dataclass(frozen=True)
 class MixtureState:
-    """Solved states of a mixture: every field is an array of one shape.
+    """Solved states of a mixture: all fields are arrays of the same shape.
 
     density, energy                     of the mixture, kg/m3 and J/kg with Q
     burn_fraction                       mass fraction of the products
@@ -102,8 +102,8 @@ class MixtureState:
 
     @property
     def temperature(self):
-        """Temperature, K: of the products (thermal_isolation), common (thermal_equilibrium, two_state) or the mean by mass
-        (weighted_pressures). OutOfRange if an equation of state has none."""
+        """Temperature, K: of the products (thermal_isolation), common (thermal_equilibrium, two_state) or the
+        mass-weighted mean (weighted_pressures). OutOfRange if an equation of state has none."""
         self._require_temperature()
         return self._each(contract.mixture_temperature)
 
@@ -130,8 +130,8 @@ class MixtureState:
         return {**found, **{name: getattr(self, name) for name in names}}
 
     def phase_slopes(self) -> contract.PhaseSlopes:
-        """Derivatives of the volumes and energies v_r, e_r, v_p, e_p of reactants and products by v, e and burn fraction: a tuple of twelve
-        arrays such as v_r_e (v_r by e; the last letter is v, e or l, the burn fraction). OutOfRange at burn fraction 0."""
+        """Derivatives of the volumes and energies v_r, e_r, v_p, e_p of reactants and products with respect to v, e and burn fraction: a
+        tuple of twelve arrays such as v_r_e (v_r by e; the last letter is v, e or l, the burn fraction). OutOfRange at burn fraction 0."""
         if np.any(self.burn_fraction <= 0.0):
             raise OutOfRange("the derivatives of the products' state with respect to volume and energy are infinite at burn fraction 0: "
                              "give a positive burn fraction, or use vanishing_series")
@@ -145,9 +145,9 @@ def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
     reference   (density, energy with Q) of a point on the isentrope of the reactants, such as the state just behind the last shock; needed
                 for `thermal_isolation` only
 
-    At burn fraction 0 the state is that of the reactants alone, also where the first products would have none, as at zero pressure.
-    Raises NoSolution with the first state that has no solution, OutOfRange for burn fractions outside 0 to 1 and for input that must be
-    positive.
+    At burn fraction 0 the state is that of the reactants alone, even where the first products would have no state, as at zero pressure.
+    Raises NoSolution with the first state that has no solution, OutOfRange for burn fractions outside 0 to 1 and for densities
+    that are not positive.
     """
     if reference is None:
         if "follows_isentrope" in MIXTURE.of(par).flags:
@@ -264,7 +264,7 @@ class VanishingSeries:
 def vanishing_series(density: float, energy: float, par) -> VanishingSeries:
     """Expansion about burn fraction 0 at constant density (kg/m3) and energy (J/kg with Q), in thermal isolation.
 
-    The isentrope of the reactants passes through (density, energy - Q). Raises NoSolution if there is no state of the first products.
+    The isentrope of the reactants passes through this state. Raises NoSolution if there is no state of the first products.
     Starkenberg section 5.9, corrected (S-E3).
     """
     state = solve(density, energy, 0.0, par, reference=(density, energy))
@@ -314,8 +314,13 @@ def adiabat(start: MixtureState, volumes, burn_fraction: Callable[[float], float
 
 
 def hugoniot_volume(pressure: float, rho_u: float, e_u: float, p_u: float, par) -> float:
-    """Specific volume, m3/kg, on the Hugoniot of one phase at a pressure (Pa), from the state rho_u (kg/m3), e_u (J/kg), p_u (Pa).
-    NoSolution without one."""
+    """Specific volume, m3/kg, on the Hugoniot of one phase at a pressure (Pa).
+
+    rho_u, e_u, p_u   state ahead of the shock, kg/m3, J/kg (without Q) and Pa
+    par               parameters of the equation of state of this phase, such as `mixture.reactants`
+
+    Raises NoSolution if the Hugoniot does not reach the pressure.
+    """
     v_u = 1.0 / rho_u
     low = 1.0 / min(float(eos.density_limits(par)[1]), 20.0 * rho_u)
 

@@ -1,4 +1,4 @@
-"""Flows without shocks: Coggeshall's and Kidder's compressions, Gresho's and Taylor and Green's vortices.
+"""Flows without shocks: Coggeshall's and Kidder's compressions, Gresho's vortex and Taylor-Green vortices.
 
 What they lose is the scheme's own dissipation.
 """
@@ -109,7 +109,7 @@ def heat(solver):
 
 
 def vortices(n, asked):
-    """Taylor and Green's vortices in the unit square, without viscosity."""
+    """Taylor-Green vortices in the unit square, without viscosity."""
     options = {"viscosity": Viscosity2D(linear=0.0, quadratic=0.0), "initial_step": 0.05 / n, "largest_step": 0.05 / n, **asked}
     sides = walls("b.left", "b.right", "b.bottom", "b.top")
     block = box((n, n), (0.0, 1.0), (0.0, 1.0), density=1.0, pressure=1.0)
@@ -141,6 +141,6 @@ PROBLEMS = (
                   Bar("viscous_work", 100, goal=1e-3)), (25, 50, 100)),
     PlaneProblem("gresho", "Gresho's steady vortex after half a radian of rotation", vortex, 0.1, loss,
                  (Bar("peak_speed", 40, goal=0.05),), (20, 40, 80)),
-    PlaneProblem("taylor_green", "Taylor and Green's vortices, kept steady by a heat source, t = 0.5, no viscosity", vortices, 0.5, turned,
+    PlaneProblem("taylor_green", "Taylor-Green vortices, kept steady by a heat source, t = 0.5, no viscosity", vortices, 0.5, turned,
                  (), (16, 32, 64), heat),
 )

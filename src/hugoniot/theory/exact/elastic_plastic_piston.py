@@ -3,7 +3,7 @@ r"""A piston driven at constant speed into an elastic-perfectly plastic solid: t
 It tests how a solver treats strength: the Hugoniot elastic limit, the two-wave structure, and the single shock of a slow or a very fast
 piston.
 
-The pressure is of Mie-Grüneisen form on the Hugoniot $U_s = c_0 + s u_p$. With $\epsilon = 1-\rho_0/\rho$,
+The pressure has the Mie-Grüneisen form, with the Hugoniot $U_s = c_0 + s u_p$ as reference curve. With $\epsilon = 1-\rho_0/\rho$,
 
 $$p = p_H\left(1 - \tfrac12\tilde\Gamma\,\epsilon\right) + \rho\Gamma e, \qquad p_H = \frac{\rho_0 c_0^2\epsilon}{(1 - s\epsilon)^2}, \qquad
   \tilde\Gamma = \frac{\rho\Gamma}{\rho_0}$$

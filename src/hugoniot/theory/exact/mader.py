@@ -13,7 +13,7 @@ uniform. With a wall ($U = 0$) the uniform region extends half-way to the front.
 
 * $D$: `detonation_velocity`; $\rho_0$: `density`, before the detonation arrives; $\gamma$: `gamma`; $U$: `piston`
 
-Source: Taylor, Proc. R. Soc. A 200 (1950) 235; Mader, Numerical Modeling of Detonations (1979); the problem `Mader` of ExactPack.
+Source: Taylor, Proc. R. Soc. A 200 (1950) 235; Mader, Numerical Modeling of Detonations (1979); the `Mader` problem of ExactPack.
 """
 
 import numpy as np
